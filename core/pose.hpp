@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cmath>
+#include <numbers>
+
+namespace alignability {
+
+/// A pose of `base_link` in `map`: metres and radians, yaw counter-clockwise from +x (REP-103).
+struct Pose2 {
+  double x = 0.0;
+  double y = 0.0;
+  double yaw = 0.0;
+
+  Eigen::Vector2d position() const { return {x, y}; }
+  bool operator==(const Pose2&) const = default;
+};
+
+/// The same angle in [-π, π].
+inline double normalized_angle(double angle) { return std::remainder(angle, 2.0 * std::numbers::pi); }
+
+inline constexpr double radians(double degrees) { return degrees * std::numbers::pi / 180.0; }
+inline constexpr double degrees(double radians) { return radians * 180.0 / std::numbers::pi; }
+
+}  // namespace alignability

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "core/range.hpp"
+
+#include <array>
+#include <charconv>
+#include <cmath>
+
+namespace alignability {
+
+bool Range::contains(double value) const {
+  if (!std::isfinite(value)) return false;
+  const bool above = min_end == End::open ? value > min : value >= min;
+  const bool below = max_end == End::open ? value < max : value <= max;
+  return above && below;
+}
+
+std::string Range::description() const {
+  const bool bounded_below = min > std::numeric_limits<double>::lowest();
+  const bool bounded_above = max < std::numeric_limits<double>::max();
+  if (bounded_below && bounded_above && min_end == End::closed && max_end == End::closed) {
+    return "from " + to_text(min) + " to " + to_text(max);
+  }
+  const std::string from = (min_end == End::open ? "greater than " : "at least ") + to_text(min);
+  const std::string to = (max_end == End::open ? "less than " : "at most ") + to_text(max);
+  if (bounded_below && bounded_above) return from + " and " + to;
+  if (bounded_below) return from;
+  if (bounded_above) return to;
+  return "a finite number";
+}
+
+std::string to_text(double value) {
+  std::array<char, 32> buffer;
+  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
+  return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+}
+
+}  // namespace alignability

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <limits>
+#include <string>
+
+namespace alignability {
+
+/// The finite numbers from `min` to `max`; an end that is open does not belong to it. NaN and the infinities never do.
+struct Range {
+  enum class End { closed, open };
+
+  double min = std::numeric_limits<double>::lowest();
+  double max = std::numeric_limits<double>::max();
+  End min_end = End::closed;
+  End max_end = End::closed;
+
+  bool contains(double value) const;
+  /// "greater than 0", "from 0 to 1", "a finite number": completes the sentence "must be …".
+  std::string description() const;
+};
+
+inline constexpr Range kFinite{};
+inline constexpr Range kPositive{.min = 0.0, .min_end = Range::End::open};
+inline constexpr Range kNotNegative{.min = 0.0};
+inline constexpr Range kShare{.min = 0.0, .max = 1.0};
+
+/// The shortest decimal text that reads back as the same double: 0.1, 2500, 1e-09; nan, inf.
+std::string to_text(double value);
+
+}  // namespace alignability
