@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+
+#include "costmap/grid.hpp"
+#include "costmap/traversal.hpp"
+
+namespace alignability {
+
+/// c0 + c1·s + c2·s² for s in [0,1].
+struct Quadratic {
+  double c0 = 0.0;
+  double c1 = 0.0;
+  double c2 = 0.0;
+
+  double at(double s) const { return c0 + s * (c1 + s * c2); }
+  double mean() const { return c0 + c1 / 2.0 + c2 / 3.0; }
+};
+
+/// A function of the plane given by its values at cell centres, bilinear between four of them and constant across beyond the outermost.
+/// Where a value is NaN, so is every patch between centres that has it for a corner. Immutable; queries allocate nothing.
+class BilinearField {
+ public:
+  BilinearField() = default;
+  explicit BilinearField(Grid<double> nodes) : nodes_(std::move(nodes)) {}
+
+  const Grid<double>& nodes() const { return nodes_; }
+
+  double at(const Eigen::Vector2d& point) const;
+
+  /// ∫ f ds over the segment [value · m], in closed form; the same to the bit in either direction. O(patches crossed).
+  double integral(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
+  /// Calls `visit(share, quadratic)` for each piece of the segment that lies in one patch, in order: the piece is that share of the
+  /// segment's length, and the field along it, from s = 0 to s = 1, is the quadratic. The shares add up to 1.
+  template <typename Visitor>
+  void visit(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visitor&& visitor) const;
+
+ private:
+  // The grid whose cells are the patches: its lines run through the centres.
+  GridGeometry patches() const;
+  double in_patch(Cell patch, const Eigen::Vector2d& point) const;
+
+  Grid<double> nodes_;
+};
+
+inline GridGeometry BilinearField::patches() const {
+  GridGeometry patches = nodes_.geometry();
+  patches.origin.array() += 0.5 * patches.resolution;
+  --patches.width;
+  --patches.height;
+  return patches;
+}
+
+inline double BilinearField::in_patch(Cell patch, const Eigen::Vector2d& point) const {
+  const GridGeometry& grid = nodes_.geometry();
+  const Cell low{std::max(patch.x, 0), std::max(patch.y, 0)};
+  const Cell high{std::min(patch.x + 1, grid.width - 1), std::min(patch.y + 1, grid.height - 1)};
+  const Eigen::Array2d at = ((point - grid.center(low)) / grid.resolution).array().cwiseMax(0.0).cwiseMin(1.0);
+  const double below = nodes_[low] + at.x() * (nodes_[Cell{high.x, low.y}] - nodes_[low]);
+  const double above = nodes_[Cell{low.x, high.y}] + at.x() * (nodes_[high] - nodes_[Cell{low.x, high.y}]);
+  return below + at.y() * (above - below);
+}
+
+template <typename Visitor>
+void BilinearField::visit(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visitor&& visitor) const {
+  detail::traverse(patches(), from, to, [&](Cell patch, double begin, double end) {
+    const Eigen::Vector2d step = to - from;
+    // Three values determine a quadratic.
+    const double first = in_patch(patch, from + begin * step);
+    const double middle = in_patch(patch, from + 0.5 * (begin + end) * step);
+    const double last = in_patch(patch, from + end * step);
+    visitor(end - begin, Quadratic{first, 4.0 * middle - 3.0 * first - last, 2.0 * (first + last) - 4.0 * middle});
+  });
+}
+
+}  // namespace alignability

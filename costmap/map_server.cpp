@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "costmap/map_server.hpp"
+
+#include <yaml-cpp/yaml.h>
+
+#include <limits>
+
+#include "core/file.hpp"
+#include "core/yaml_map.hpp"
+#include "costmap/grey_image.hpp"
+
+namespace alignability {
+namespace {
+
+enum class MapMode { trinary, scale, raw };
+
+constexpr float kFree = 0.0f;
+constexpr float kOccupied = 1.0f;
+constexpr float kUnknown = std::numeric_limits<float>::quiet_NaN();
+
+// What the YAML says of how shades become occupancy.
+struct Interpretation {
+  MapMode mode = MapMode::trinary;
+  bool negate = false;
+  double occupied_thresh = 0.0;
+  double free_thresh = 0.0;
+
+  float occupancy(detail::Shade shade) const {
+    const double occupancy = static_cast<double>(negate ? shade.light : shade.white - shade.light) / shade.white;
+    if (mode == MapMode::raw) {
+      const double percent = std::round(255.0 * shade.light / shade.white);
+      return percent <= 100.0 ? static_cast<float>(percent / 100.0) : kUnknown;
+    }
+    if (mode == MapMode::scale && !shade.opaque) return kUnknown;
+    if (occupancy >= occupied_thresh) return kOccupied;
+    if (occupancy <= free_thresh) return kFree;
+    if (mode == MapMode::trinary) return kUnknown;
+    return static_cast<float>((occupancy - free_thresh) / (occupied_thresh - free_thresh));
+  }
+};
+
+bool read_negate(YamlMap& yaml) {
+  constexpr std::pair<const char*, bool> kWords[] = {{"0", false}, {"1", true}, {"false", false}, {"true", true}};
+  const auto negate = yaml.find_choice("negate", kWords);
+  if (!negate) yaml.fail("negate", "missing key 'negate': 0 where white is free, 1 where black is");
+  return *negate;
+}
+
+Interpretation read_interpretation(YamlMap& yaml) {
+  constexpr std::pair<const char*, MapMode> kModes[] = {{"trinary", MapMode::trinary}, {"scale", MapMode::scale}, {"raw", MapMode::raw}};
+  Interpretation result;
+  result.mode = yaml.find_choice("mode", kModes).value_or(MapMode::trinary);
+  result.negate = read_negate(yaml);
+  result.occupied_thresh = yaml.number("occupied_thresh", kShare);
+  result.free_thresh = yaml.number("free_thresh", kShare);
+  if (result.free_thresh >= result.occupied_thresh) yaml.fail("free_thresh", "'free_thresh' must be less than 'occupied_thresh'");
+  return result;
+}
+
+}  // namespace
+
+OccupancyMap read_occupancy_map(const std::filesystem::path& yaml_file) {
+  YamlMap yaml = YamlMap::from_file(yaml_file);
+  const auto image_file = yaml.path("image");
+  const double resolution = yaml.number("resolution", kPositive);
+  const auto origin = yaml.numbers("origin", 3, kFinite);
+  const Interpretation interpretation = read_interpretation(yaml);
+  yaml.finish();
+  if (origin[2] != 0.0) {
+    yaml.fail("origin",
+              "the origin's yaw is " + to_text(origin[2]) + "; only maps with a yaw of 0 are supported: rotate the image instead");
+  }
+  const detail::GreyImage image = detail::read_grey_image(image_file);
+  const GridGeometry geometry{.resolution = resolution, .origin = {origin[0], origin[1]}, .width = image.width, .height = image.height};
+  Grid<float> occupancy(geometry, kUnknown);
+  for (int y = 0; y < geometry.height; ++y) {
+    for (int x = 0; x < geometry.width; ++x) {
+      const int row = geometry.height - 1 - y;
+      const bool trinary = interpretation.mode == MapMode::trinary;
+      occupancy[Cell{x, y}] = interpretation.occupancy(trinary ? image.shade_with_alpha(x, row) : image.shade(x, row));
+    }
+  }
+  return OccupancyMap(std::move(occupancy));
+}
+
+void write_occupancy_map(const OccupancyMap& map, const std::filesystem::path& name) {
+  const GridGeometry& geometry = map.geometry();
+  const std::filesystem::path image(name.string() + ".pgm");
+  std::string pgm = "P5\n" + std::to_string(geometry.width) + ' ' + std::to_string(geometry.height) + "\n255\n";
+  pgm.reserve(pgm.size() + geometry.size());
+  for (int y = geometry.height - 1; y >= 0; --y) {
+    for (int x = 0; x < geometry.width; ++x) {
+      const auto occupancy = map.occupancy({x, y});
+      pgm += static_cast<char>(!occupancy ? 205 : *occupancy > OccupancyMap::kOccupiedAbove ? 0 : 254);
+    }
+  }
+  write_file(image, pgm);
+  YAML::Emitter image_name;  // quotes what YAML would take for something else
+  image_name << image.filename().string();
+  write_file(name.string() + ".yaml", std::string("image: ") + image_name.c_str() + "\nmode: trinary\nresolution: " +
+                                          to_text(geometry.resolution) + "\norigin: [" + to_text(geometry.origin.x()) + ", " +
+                                          to_text(geometry.origin.y()) + ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+}
+
+}  // namespace alignability

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <stdexcept>
+#include <string>
+
+#include "costmap/grey_image.hpp"
+
+namespace alignability::detail {
+
+struct PnmHeader {
+  std::uint64_t width;
+  std::uint64_t height;
+  std::uint64_t brightest;  ///< the value of white
+};
+
+class PnmError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Both throw PnmError for bytes that are no PNM; the second where they end early or a value is above that of white, too. What `bytes`
+/// declare to be larger than they can hold must not reach it.
+PnmHeader read_pnm_header(const std::string& bytes);
+GreyImage decode_pnm(const std::string& bytes);
+
+}  // namespace alignability::detail

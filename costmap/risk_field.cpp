@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "costmap/risk_field.hpp"
+
+namespace alignability {
+namespace {
+
+double risk_of(double alpha, const RiskOptions& options) {
+  if (std::isnan(alpha)) return options.unknown == UnknownPolicy::neutral ? 0.0 : 1.0;
+  return std::clamp((options.alpha_safe - alpha) / (options.alpha_safe - options.alpha_critical), 0.0, 1.0);
+}
+
+BilinearField risk_nodes(const Grid<double>& alpha, const RiskOptions& options) {
+  Grid<double> risk(alpha.geometry(), 0.0);
+  for (std::size_t i = 0; i < alpha.values().size(); ++i) risk[i] = risk_of(alpha[i], options);
+  return BilinearField(std::move(risk));
+}
+
+const RiskOptions& checked(const RiskOptions& options) {
+  if (!(options.alpha_critical >= 0.0 && options.alpha_critical < options.alpha_safe && options.alpha_safe <= 1.0)) {
+    throw std::invalid_argument("risk thresholds must satisfy 0 <= alpha_critical < alpha_safe <= 1");
+  }
+  return options;
+}
+
+}  // namespace
+
+RiskField::RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options)
+    : options_(checked(options)), alpha_(fill_border(map.alpha(), occupancy)), risk_(risk_nodes(alpha_.nodes(), options)) {}
+
+double RiskField::risk(double x, double y, double /*yaw*/) const { return risk_.at({x, y}); }
+
+double RiskField::alpha(double x, double y, double /*yaw*/) const { return alpha_.at({x, y}); }
+
+bool RiskField::is_blind(double alpha) const {
+  return std::isnan(alpha) ? options_.unknown != UnknownPolicy::neutral : alpha < options_.alpha_critical;
+}
+
+bool RiskField::has_value(Cell cell) const { return alpha_.nodes().geometry().contains(cell) && !std::isnan(alpha_.nodes()[cell]); }
+
+bool RiskField::is_drivable(const Eigen::Vector2d& point) const {
+  if (options_.unknown != UnknownPolicy::blocked) return true;
+  const auto cell = alpha_.nodes().geometry().cell_near(point);
+  return cell && has_value(*cell);
+}
+
+bool RiskField::is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  if (!is_drivable(from) || !is_drivable(to)) return false;
+  if (options_.unknown != UnknownPolicy::blocked) return true;
+  bool drivable = true;
+  detail::traverse(alpha_.nodes().geometry(), from, to, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  return drivable;
+}
+
+}  // namespace alignability

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "costmap/grid.hpp"
+
+namespace alignability::detail {
+
+// The crossings of a segment with the grid lines of one axis, in the order they are met. Each is computed from the index of its line,
+// so that no error builds up along the way.
+class LineCrossings {
+ public:
+  LineCrossings(double from, double to, int cells) : from_(from), span_(to - from) {
+    if (span_ > 0.0) {
+      next_ = std::max(0.0, std::floor(from) + 1.0);
+      step_ = 1.0;
+      last_ = cells;
+    } else if (span_ < 0.0) {
+      next_ = std::min<double>(cells, std::ceil(from) - 1.0);
+      step_ = -1.0;
+      last_ = 0.0;
+    }
+  }
+
+  /// The share of the segment, in (0,1), at which the next line is met; 1 when there is none.
+  double share() const {
+    const bool exhausted = step_ == 0.0 || (last_ - next_) * step_ < 0.0;
+    return exhausted ? 1.0 : std::min(1.0, (next_ - from_) / span_);
+  }
+  void advance() { next_ += step_; }
+  double at(double share) const { return from_ + share * span_; }
+
+ private:
+  double from_;
+  double span_;
+  double next_ = 0.0;
+  double step_ = 0.0;
+  double last_ = 0.0;
+};
+
+/// Calls `visit(cell, from_share, to_share)` for each piece of the segment that lies in one cell, in order. Cells beyond the grid are
+/// not told apart: their index is -1 or the width (height). A segment of no length is one piece. O(cells crossed), no allocation.
+template <typename Visitor>
+void traverse(const GridGeometry& geometry, const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visitor&& visit) {
+  const Eigen::Vector2d a = (from - geometry.origin) / geometry.resolution;
+  const Eigen::Vector2d b = (to - geometry.origin) / geometry.resolution;
+  LineCrossings columns(a.x(), b.x(), geometry.width);
+  LineCrossings rows(a.y(), b.y(), geometry.height);
+  // NaN, which no cast to int survives, fails the comparison and counts as beyond the grid.
+  const auto index = [](double at, int cells) {
+    return at >= -1.0 ? static_cast<int>(std::floor(std::min(at, static_cast<double>(cells)))) : -1;
+  };
+  for (double done = 0.0; done < 1.0;) {
+    const double column_share = columns.share();
+    const double row_share = rows.share();
+    const double next = std::max(done, std::min(column_share, row_share));
+    if (next > done) {
+      const double middle = 0.5 * (done + next);
+      visit(Cell{index(columns.at(middle), geometry.width), index(rows.at(middle), geometry.height)}, done, next);
+    }
+    if (column_share <= next) columns.advance();
+    if (row_share <= next) rows.advance();
+    done = next;
+  }
+}
+
+}  // namespace alignability::detail
