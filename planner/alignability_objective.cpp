@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/alignability_objective.hpp"
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/util/Exception.h>
+
+#include "core/range.hpp"
+#include "planner/pose_goal.hpp"
+
+namespace alignability {
+namespace ob = ompl::base;
+
+AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
+                                             const ObjectiveOptions& options)
+    : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()), MotionShape::straight) {}
+
+AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
+                                             const ObjectiveOptions& options, StateProjection projection, MotionShape shape)
+    : ob::OptimizationObjective(si), risk_(std::move(risk)), options_(options), projection_(std::move(projection)), shape_(shape) {
+  if (!kNotNegative.contains(options.weight) || !kNotNegative.contains(options.turn_cost)) {
+    throw ompl::Exception("AlignabilityObjective", "weight and turn_cost must be at least 0");
+  }
+  description_ = "Alignability";
+  // A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
+  setCostToGoHeuristic([projection = projection_](const ob::State* state, const ob::Goal* goal) {
+    const auto* region = dynamic_cast<const PoseGoal*>(goal);
+    if (region == nullptr) return ob::Cost(0.0);
+    const double distance = (projection(state).position() - region->pose().position()).norm();
+    return ob::Cost(std::max(0.0, distance - region->tolerance().position));
+  });
+}
+
+ob::Cost AlignabilityObjective::stateCost(const ob::State* state) const {
+  const Pose2 pose = projection_(state);
+  return ob::Cost(1.0 + options_.weight * risk_->risk(pose.x, pose.y, pose.yaw));
+}
+
+ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::State* to) const {
+  return ob::Cost(shape_ == MotionShape::straight ? straight_cost(projection_(from), projection_(to)) : interpolated_cost(from, to));
+}
+
+ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
+  return ob::Cost((projection_(to).position() - projection_(from).position()).norm());
+}
+
+bool AlignabilityObjective::isSymmetric() const {
+  return shape_ == MotionShape::straight || si_->getStateSpace()->hasSymmetricInterpolate();
+}
+
+double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {
+  const double length = (to.position() - from.position()).norm();
+  const double turned = std::abs(normalized_angle(to.yaw - from.yaw));
+  return length + options_.weight * risk_->integral(from, to) + options_.turn_cost * turned;
+}
+
+double AlignabilityObjective::interpolated_cost(const ob::State* from, const ob::State* to) const {
+  const ob::StateSpacePtr& space = si_->getStateSpace();
+  const unsigned int chords = std::max(1u, space->validSegmentCount(from, to));
+  ob::ScopedState<> at(space);
+  double cost = 0.0;
+  Pose2 begin = projection_(from);
+  for (unsigned int i = 1; i <= chords; ++i) {
+    space->interpolate(from, to, static_cast<double>(i) / chords, at.get());
+    const Pose2 end = projection_(at.get());
+    cost += straight_cost(begin, end);
+    begin = end;
+  }
+  return cost;
+}
+
+}  // namespace alignability

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ompl/base/OptimizationObjective.h>
+
+#include <memory>
+
+#include "costmap/risk_field.hpp"
+#include "planner/state_projection.hpp"
+
+namespace alignability {
+
+/// How `base_link` moves between two states that a planner joins.
+enum class MotionShape {
+  straight,      ///< straight in the plane, as in R² and SE(2): integrated in closed form
+  interpolated,  ///< as the state space interpolates: integrated along chords as long as the space's valid segments
+};
+
+struct ObjectiveOptions {
+  double weight = 5.0;     ///< w >= 0; 0 is the shortest path
+  double turn_cost = 0.2;  ///< >= 0 [m/rad]
+};
+
+/// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw|. Length is a lower bound of it, so the heuristics are
+/// straight-line distances. Additive under splitting, finite everywhere, symmetric for straight motions. Const and without mutable
+/// state: one objective serves many threads.
+class AlignabilityObjective : public ompl::base::OptimizationObjective {
+ public:
+  /// In R² or SE(2). Throws ompl::Exception in other spaces and for options out of range.
+  AlignabilityObjective(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk, const ObjectiveOptions& options);
+  /// In any space, by a projection.
+  AlignabilityObjective(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk, const ObjectiveOptions& options,
+                        StateProjection projection, MotionShape shape);
+
+  /// 1 + w·risk: what a metre costs there.
+  ompl::base::Cost stateCost(const ompl::base::State* state) const override;
+  ompl::base::Cost motionCost(const ompl::base::State* from, const ompl::base::State* to) const override;
+  /// ‖Δxy‖ [m]: admissible, consistent, symmetric.
+  ompl::base::Cost motionCostHeuristic(const ompl::base::State* from, const ompl::base::State* to) const override;
+  bool isSymmetric() const override;
+
+  const ObjectiveOptions& options() const { return options_; }
+  const RiskField& risk_field() const { return *risk_; }
+  Pose2 pose_of(const ompl::base::State* state) const { return projection_(state); }
+
+ private:
+  double straight_cost(const Pose2& from, const Pose2& to) const;
+  double interpolated_cost(const ompl::base::State* from, const ompl::base::State* to) const;
+
+  std::shared_ptr<const RiskField> risk_;
+  ObjectiveOptions options_;
+  StateProjection projection_;
+  MotionShape shape_;
+};
+
+}  // namespace alignability

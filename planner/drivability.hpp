@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ompl/base/MotionValidator.h>
+#include <ompl/base/StateValidityChecker.h>
+
+#include "planner/drivable_area.hpp"
+#include "planner/state_projection.hpp"
+
+namespace alignability {
+
+/// A state is valid within the bounds of its space and where the drivable area contains its pose. Const, without mutable state.
+class DrivabilityChecker : public ompl::base::StateValidityChecker {
+ public:
+  /// In R² or SE(2).
+  DrivabilityChecker(const ompl::base::SpaceInformationPtr& si, DrivableArea area);
+  DrivabilityChecker(const ompl::base::SpaceInformationPtr& si, DrivableArea area, StateProjection projection);
+
+  bool isValid(const ompl::base::State* state) const override;
+  /// [m], negative in collision.
+  double clearance(const ompl::base::State* state) const override;
+
+ private:
+  DrivableArea area_;
+  StateProjection projection_;
+};
+
+/// Checks straight motions (R², SE(2)) exactly. Counts nothing: OMPL's counters are not safe to share between threads.
+class DrivabilityMotionValidator : public ompl::base::MotionValidator {
+ public:
+  DrivabilityMotionValidator(const ompl::base::SpaceInformationPtr& si, DrivableArea area);
+
+  bool checkMotion(const ompl::base::State* from, const ompl::base::State* to) const override;
+  /// `last_valid` is found to a billionth of the motion.
+  bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
+                   std::pair<ompl::base::State*, double>& last_valid) const override;
+
+ private:
+  DrivableArea area_;
+  StateProjection projection_;
+};
+
+}  // namespace alignability

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/path_figures.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <utility>
+
+namespace alignability {
+namespace {
+
+// The shares of [0,1], in order, where a quadratic crosses a level: at most two, at the ends of the array when there are fewer.
+std::array<double, 4> split_at(const Quadratic& q, double level) {
+  std::array<double, 4> cuts{0.0, 1.0, 1.0, 1.0};
+  const double c = q.c0 - level;
+  std::size_t count = 1;
+  const auto add = [&](double root) {
+    if (root > 0.0 && root < 1.0) cuts[count++] = root;
+  };
+  const double discriminant = q.c1 * q.c1 - 4.0 * q.c2 * c;
+  if (q.c2 == 0.0) {
+    if (q.c1 != 0.0) add(-c / q.c1);
+  } else if (discriminant > 0.0) {
+    // The form that does not cancel.
+    const double half = -0.5 * (q.c1 + std::copysign(std::sqrt(discriminant), q.c1));
+    add(half / q.c2);
+    if (half != 0.0) add(c / half);
+  }
+  if (cuts[1] > cuts[2]) std::swap(cuts[1], cuts[2]);
+  return cuts;
+}
+
+double least(const Quadratic& q) {
+  const double ends = std::min(q.at(0.0), q.at(1.0));
+  const double bottom = q.c2 > 0.0 ? -q.c1 / (2.0 * q.c2) : -1.0;
+  return bottom > 0.0 && bottom < 1.0 ? std::min(ends, q.at(bottom)) : ends;
+}
+
+class FigureSum {
+ public:
+  explicit FigureSum(const RiskField& risk) : risk_(risk) {}
+
+  void add_segment(const Pose2& from, const Pose2& to) {
+    const double length = (to.position() - from.position()).norm();
+    figures_.length += length;
+    figures_.turned += std::abs(normalized_angle(to.yaw - from.yaw));
+    figures_.risk_integral += risk_.integral(from, to);
+    risk_.alpha_layer().visit(from.position(), to.position(),
+                              [&](double share, const Quadratic& alpha) { add_piece(share * length, alpha); });
+  }
+
+  PathFigures result() const {
+    PathFigures figures = figures_;
+    figures.alpha_mean = evaluated_ > 0.0 ? alpha_integral_ / evaluated_ : alpha_min_;
+    figures.alpha_min = alpha_min_;
+    return figures;
+  }
+
+ private:
+  void add_piece(double length, const Quadratic& alpha) {
+    if (std::isnan(alpha.c0) || std::isnan(alpha.c1) || std::isnan(alpha.c2)) {
+      add_stretch(length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
+      return;
+    }
+    evaluated_ += length;
+    alpha_integral_ += length * alpha.mean();
+    alpha_min_ = std::fmin(alpha_min_, least(alpha));
+    const auto cuts = split_at(alpha, risk_.options().alpha_critical);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] > cuts[i]) add_stretch(length * (cuts[i + 1] - cuts[i]), risk_.is_blind(alpha.at(0.5 * (cuts[i] + cuts[i + 1]))));
+    }
+  }
+
+  void add_stretch(double length, bool blind) {
+    current_blind_ = blind ? current_blind_ + length : 0.0;
+    if (blind) figures_.blind_length += length;
+    figures_.longest_blind = std::max(figures_.longest_blind, current_blind_);
+  }
+
+  const RiskField& risk_;
+  PathFigures figures_;
+  double current_blind_ = 0.0;
+  double evaluated_ = 0.0;
+  double alpha_integral_ = 0.0;
+  double alpha_min_ = std::numeric_limits<double>::quiet_NaN();
+};
+
+}  // namespace
+
+PathFigures measure(std::span<const Pose2> path, const RiskField& risk) {
+  FigureSum sum(risk);
+  if (path.size() == 1) sum.add_segment(path[0], path[0]);
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) sum.add_segment(path[i], path[i + 1]);
+  return sum.result();
+}
+
+std::vector<PathSample> sample(std::span<const Pose2> path, const RiskField& risk, double step) {
+  std::vector<PathSample> samples;
+  double s = 0.0;
+  const auto add = [&](const Pose2& pose, double at) {
+    samples.push_back({pose, at, risk.alpha(pose.x, pose.y, pose.yaw), risk.risk(pose.x, pose.y, pose.yaw)});
+  };
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    add(path[i], s);
+    if (i + 1 == path.size()) break;
+    const Pose2& from = path[i];
+    const Pose2& to = path[i + 1];
+    const double length = (to.position() - from.position()).norm();
+    const double turn = normalized_angle(to.yaw - from.yaw);
+    const auto pieces = static_cast<std::size_t>(std::max(1.0, std::ceil(length / step)));
+    for (std::size_t k = 1; k < pieces; ++k) {
+      const double share = static_cast<double>(k) / static_cast<double>(pieces);
+      add({from.x + share * (to.x - from.x), from.y + share * (to.y - from.y), normalized_angle(from.yaw + share * turn)},
+          s + share * length);
+    }
+    s += length;
+  }
+  return samples;
+}
+
+}  // namespace alignability

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "costmap/risk_field.hpp"
+
+namespace alignability {
+
+/// What a path of straight segments is worth, exactly: no sampling. Lengths in metres.
+struct PathFigures {
+  double length = 0.0;
+  double turned = 0.0;         ///< ∫ |dyaw| [rad]
+  double risk_integral = 0.0;  ///< ∫ risk ds
+  double blind_length = 0.0;   ///< where RiskField::is_blind
+  double longest_blind = 0.0;  ///< the longest stretch without a break
+  double alpha_mean = 0.0;     ///< by length, over evaluated places; NaN when there are none
+  double alpha_min = 0.0;      ///< over evaluated places; NaN when there are none
+};
+
+/// O(α-cells crossed).
+PathFigures measure(std::span<const Pose2> path, const RiskField& risk);
+
+struct PathSample {
+  Pose2 pose;
+  double s = 0.0;      ///< arc length [m]
+  double alpha = 0.0;  ///< NaN where not evaluated
+  double risk = 0.0;
+};
+
+/// The path's own poses and as many between that none is further than `step` [m] from the next.
+std::vector<PathSample> sample(std::span<const Pose2> path, const RiskField& risk, double step);
+
+}  // namespace alignability

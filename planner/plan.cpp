@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/plan.hpp"
+
+#include <ompl/base/ProblemDefinition.h>
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/SE2StateSpace.h>
+#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
+#include <ompl/geometric/PathGeometric.h>
+#include <ompl/util/Console.h>
+#include <ompl/util/RandomNumbers.h>
+
+#include <chrono>
+
+#include "planner/alignability_objective.hpp"
+#include "planner/drivability.hpp"
+#include "planner/path_shortening.hpp"
+#include "planner/planners.hpp"
+#include "planner/poses.hpp"
+
+namespace alignability {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+
+class Stopwatch {
+ public:
+  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// OMPL seeds anew and repeats exactly, but logs an error whenever generators exist already.
+void seed_ompl(std::uint32_t seed) {
+  ompl::msg::OutputHandler* handler = ompl::msg::getOutputHandler();
+  ompl::msg::noOutputHandler();
+  ompl::RNG::setSeed(seed);
+  ompl::msg::useOutputHandler(handler);
+}
+
+// What a query is planned with.
+struct Setup {
+  explicit Setup(const PlanProblem& problem)
+      : risk(std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk)),
+        area(std::make_shared<const ClearanceMap>(problem.occupancy), risk, problem.query.robot) {}
+
+  std::shared_ptr<const RiskField> risk;
+  DrivableArea area;
+};
+
+std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
+  if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
+  if (!area.geometry().cell_near(query.goal.position())) return PlanStatus::goal_outside_map;
+  if (!area.contains(query.start)) return PlanStatus::start_in_collision;
+  if (!area.contains(query.goal)) return PlanStatus::goal_in_collision;
+  if (!area.may_connect(query.start, query.goal, query.goal_tolerance.position)) return PlanStatus::no_path;
+  return std::nullopt;
+}
+
+ob::StateSpacePtr make_space(MotionSpace kind, const GridGeometry& map) {
+  ob::RealVectorBounds bounds(2);
+  for (const unsigned int axis : {0u, 1u}) {
+    bounds.setLow(axis, map.origin[axis]);
+    bounds.setHigh(axis, map.upper_corner()[axis]);
+  }
+  if (kind == MotionSpace::r2) {
+    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
+    space->setBounds(bounds);
+    return space;
+  }
+  auto space = std::make_shared<ob::SE2StateSpace>();
+  space->setBounds(bounds);
+  return space;
+}
+
+ob::SpaceInformationPtr make_space_information(const PlanQuery& query, const DrivableArea& area) {
+  const auto si = std::make_shared<ob::SpaceInformation>(make_space(query.motion.space, area.geometry()));
+  si->setStateValidityChecker(std::make_shared<DrivabilityChecker>(si, area));
+  si->setMotionValidator(std::make_shared<DrivabilityMotionValidator>(si, area));
+  si->setup();
+  return si;
+}
+
+ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const Setup& setup, const ob::SpaceInformationPtr& si) {
+  const auto definition = std::make_shared<ob::ProblemDefinition>(si);
+  ob::ScopedState<> start(si);
+  set_pose(*si->getStateSpace(), query.start, start.get());
+  definition->addStartState(start);
+  definition->setGoal(std::make_shared<PoseGoal>(si, query.goal, query.goal_tolerance));
+  definition->setOptimizationObjective(
+      std::make_shared<AlignabilityObjective>(si, setup.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
+  return definition;
+}
+
+ob::PlannerTerminationCondition until(const PlannerChoice& choice, const std::stop_token& stop) {
+  const ob::PlannerTerminationCondition stopped([stop] { return stop.stop_requested(); });
+  if (choice.iterations && counts_its_own_iterations(choice.name)) return stopped;
+  if (!choice.iterations) return ob::plannerOrTerminationCondition(stopped, ob::timedPlannerTerminationCondition(choice.time));
+  const auto counter = std::make_shared<ob::IterationTerminationCondition>(static_cast<unsigned int>(*choice.iterations));
+  return ob::PlannerTerminationCondition([stop, counter] { return stop.stop_requested() || counter->eval(); });
+}
+
+// A path in R² has no heading of its own: the robot looks where it goes.
+void look_ahead(std::vector<Pose2>& path, const PlanQuery& query) {
+  for (std::size_t i = 0; i + 1 < path.size(); ++i) path[i].yaw = std::atan2(path[i + 1].y - path[i].y, path[i + 1].x - path[i].x);
+  path.back().yaw = path.size() > 1 ? path[path.size() - 2].yaw : query.start.yaw;
+}
+
+std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& query) {
+  const StateProjection projection = projection_of(path.getSpaceInformation()->getStateSpace());
+  std::vector<Pose2> poses;
+  for (std::size_t i = 0; i < path.getStateCount(); ++i) poses.push_back(projection(path.getState(static_cast<unsigned int>(i))));
+  if (query.motion.space == MotionSpace::r2) look_ahead(poses, query);
+  return poses;
+}
+
+og::PathGeometric standing_path(const ob::ProblemDefinition& definition) {
+  return og::PathGeometric(definition.getSpaceInformation(), definition.getStartState(0));
+}
+
+// The planner's path, shortened; nullopt when it found none.
+std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions& options, const ob::ProblemDefinitionPtr& definition,
+                                       const Stopwatch& watch, PlanResult& result) {
+  if (definition->getGoal()->isSatisfied(definition->getStartState(0))) {
+    result.first_solution_seconds = watch.seconds();
+    return standing_path(*definition);
+  }
+  const auto note_first = [&] {
+    if (!result.first_solution_seconds) result.first_solution_seconds = watch.seconds();
+  };
+  definition->setIntermediateSolutionCallback(
+      [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) { note_first(); });
+  const ob::PlannerPtr planner = make_planner(query.planner, definition->getSpaceInformation());
+  planner->setProblemDefinition(definition);
+  planner->setup();
+  const ob::PlannerStatus status = planner->solve(until(query.planner, options.stop));
+  definition->setIntermediateSolutionCallback({});
+  if (status != ob::PlannerStatus::EXACT_SOLUTION) {
+    result.first_solution_seconds.reset();
+    return std::nullopt;
+  }
+  note_first();
+  return shortened(*definition->getSolutionPath()->as<og::PathGeometric>(), *definition);
+}
+
+}  // namespace
+
+const char* to_string(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::solved:
+      return "solved";
+    case PlanStatus::no_path:
+      return "no_path";
+    case PlanStatus::timeout:
+      return "timeout";
+    case PlanStatus::infeasible:
+      return "infeasible";
+    case PlanStatus::start_in_collision:
+      return "start_in_collision";
+    case PlanStatus::goal_in_collision:
+      return "goal_in_collision";
+    case PlanStatus::start_outside_map:
+      return "start_outside_map";
+    case PlanStatus::goal_outside_map:
+      return "goal_outside_map";
+    case PlanStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+PlanResult plan(const PlanProblem& problem, const PlanOptions& options) {
+  const Stopwatch watch;
+  PlanResult result;
+  result.query = problem.query;
+  if (result.query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
+  const Setup setup(problem);
+  if (const auto refused = refusal(problem.query, setup.area)) {
+    result.status = *refused;
+    result.seconds = watch.seconds();
+    return result;
+  }
+  seed_ompl(problem.query.planner.seed);
+  const auto si = make_space_information(problem.query, setup.area);
+  const auto definition = make_definition(problem.query, setup, si);
+  const auto path = solve(result.query, options, definition, watch, result);
+  if (options.stop.stop_requested()) {
+    result.status = PlanStatus::interrupted;
+  } else if (path) {
+    result.status = PlanStatus::solved;
+    result.path = poses_of(*path, problem.query);
+    result.cost = path->cost(definition->getOptimizationObjective()).value();
+    result.figures = measure(result.path, *setup.risk);
+  }
+  result.seconds = watch.seconds();
+  return result;
+}
+
+}  // namespace alignability

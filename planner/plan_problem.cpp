@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/plan_problem.hpp"
+
+#include <limits>
+#include <sstream>
+
+#include "core/yaml_map.hpp"
+#include "costmap/map_server.hpp"
+#include "planner/planners.hpp"
+
+namespace alignability {
+namespace {
+
+constexpr std::pair<const char*, MotionSpace> kSpaces[] = {{"r2", MotionSpace::r2}, {"se2", MotionSpace::se2}};
+constexpr std::pair<const char*, UnknownPolicy> kPolicies[] = {
+    {"risky", UnknownPolicy::risky}, {"neutral", UnknownPolicy::neutral}, {"blocked", UnknownPolicy::blocked}};
+
+template <typename T, std::size_t N>
+const char* name_of(T value, const std::pair<const char*, T> (&choices)[N]) {
+  for (const auto& [name, choice] : choices) {
+    if (choice == value) return name;
+  }
+  return "";
+}
+
+Pose2 read_pose(YamlMap& yaml, std::string_view key) {
+  const auto values = yaml.numbers(key, 3, kFinite);
+  return {values[0], values[1], values[2]};
+}
+
+Robot read_robot(YamlMap yaml) {
+  Robot robot;
+  robot.radius = yaml.number("radius", kPositive);
+  yaml.finish();
+  return robot;
+}
+
+Motion read_motion(YamlMap yaml) {
+  Motion motion;
+  motion.space = yaml.find_choice("space", kSpaces).value_or(motion.space);
+  motion.turn_cost = yaml.find_number("turn_cost", kNotNegative).value_or(motion.turn_cost);
+  yaml.finish();
+  return motion;
+}
+
+GoalTolerance read_goal_tolerance(YamlMap yaml) {
+  constexpr Range kAngle{.min = 0.0, .max = 180.0, .min_end = Range::End::open};
+  GoalTolerance tolerance;
+  tolerance.position = yaml.find_number("position", kPositive).value_or(tolerance.position);
+  if (const auto heading = yaml.find_number("heading_deg", kAngle)) tolerance.heading = radians(*heading);
+  yaml.finish();
+  return tolerance;
+}
+
+void read_risk(YamlMap yaml, PlanQuery& query) {
+  query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
+  query.risk.alpha_critical = yaml.find_number("alpha_critical", kShare).value_or(query.risk.alpha_critical);
+  query.risk.alpha_safe = yaml.find_number("alpha_safe", kShare).value_or(query.risk.alpha_safe);
+  query.risk.unknown = yaml.find_choice("unknown", kPolicies).value_or(query.risk.unknown);
+  yaml.finish();
+  if (query.risk.alpha_critical >= query.risk.alpha_safe) yaml.fail("alpha_critical", "'alpha_critical' must be less than 'alpha_safe'");
+}
+
+PlannerChoice read_planner(YamlMap yaml) {
+  PlannerChoice choice;
+  if (const auto name = yaml.find_text("name")) {
+    if (const auto refusal = refusal_of_planner(*name)) yaml.fail("name", *refusal);
+    choice.name = *name;
+  }
+  choice.time = yaml.find_number("time", kPositive).value_or(choice.time);
+  choice.iterations = yaml.find_integer("iterations", 1, std::numeric_limits<std::uint32_t>::max());
+  choice.seed = static_cast<std::uint32_t>(yaml.find_integer("seed", 1, std::numeric_limits<std::uint32_t>::max()).value_or(choice.seed));
+  yaml.finish();
+  if (choice.iterations && yaml.has("time")) yaml.fail("iterations", "give 'iterations' or 'time', not both");
+  return choice;
+}
+
+}  // namespace
+
+ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
+  YamlMap yaml = YamlMap::from_file(yaml_file);
+  ProblemFile file;
+  file.map = yaml.path("map");
+  file.alignability = yaml.path("alignability");
+  file.scene = yaml.find_path("scene");
+  file.sensor = yaml.find_path("sensor");
+  file.range_max = yaml.find_number("range_max", kPositive);
+  file.query.robot = read_robot(yaml.map("robot"));
+  if (const auto motion = yaml.find_map("motion")) file.query.motion = read_motion(*motion);
+  file.query.start = read_pose(yaml, "start");
+  file.query.goal = read_pose(yaml, "goal");
+  if (const auto tolerance = yaml.find_map("goal_tolerance")) file.query.goal_tolerance = read_goal_tolerance(*tolerance);
+  if (const auto risk = yaml.find_map("risk")) read_risk(*risk, file.query);
+  if (const auto planner = yaml.find_map("planner")) file.query.planner = read_planner(*planner);
+  yaml.finish();
+  return file;
+}
+
+PlanProblem load_problem(const ProblemFile& file) {
+  return {read_occupancy_map(file.map), read_alignability_map(file.alignability), file.query};
+}
+
+std::string to_yaml(const PlanQuery& query) {
+  const auto pose = [](const Pose2& p) { return '[' + to_text(p.x) + ", " + to_text(p.y) + ", " + to_text(p.yaw) + ']'; };
+  std::ostringstream out;
+  out << "robot: {radius: " << to_text(query.robot.radius) << "}\n"
+      << "motion: {space: " << name_of(query.motion.space, kSpaces) << ", turn_cost: " << to_text(query.motion.turn_cost) << "}\n"
+      << "start: " << pose(query.start) << "\ngoal: " << pose(query.goal) << '\n'
+      << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)
+      << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"
+      << "risk: {weight: " << to_text(query.weight) << ", alpha_critical: " << to_text(query.risk.alpha_critical)
+      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies) << "}\n"
+      << "planner: {name: " << (query.planner.name.empty() ? kDefaultPlanner : query.planner.name);
+  if (query.planner.iterations) {
+    out << ", iterations: " << *query.planner.iterations;
+  } else {
+    out << ", time: " << to_text(query.planner.time);
+  }
+  out << ", seed: " << query.planner.seed << "}\n";
+  return out.str();
+}
+
+}  // namespace alignability

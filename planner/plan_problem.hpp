@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "costmap/alignability_map.hpp"
+#include "costmap/occupancy_map.hpp"
+#include "costmap/risk_field.hpp"
+#include "planner/drivable_area.hpp"
+#include "planner/pose_goal.hpp"
+
+namespace alignability {
+
+enum class MotionSpace { r2, se2 };
+
+struct Motion {
+  MotionSpace space = MotionSpace::se2;
+  double turn_cost = 0.2;  ///< [m/rad], >= 0; without effect in R²
+};
+
+/// Which planner, and when it stops: after `iterations` when they are given, else after `time`.
+struct PlannerChoice {
+  std::string name;                        ///< one of planner_names(); empty: the best we have
+  double time = 2.0;                       ///< [s], > 0
+  std::optional<std::int64_t> iterations;  ///< samples, roughly: planners count differently
+  std::uint32_t seed = 1;                  ///< >= 1
+};
+
+/// What to plan, but for the maps.
+struct PlanQuery {
+  Robot robot;
+  Motion motion;
+  Pose2 start;
+  Pose2 goal;
+  GoalTolerance goal_tolerance;
+  double weight = 5.0;  ///< of the risk, >= 0
+  RiskOptions risk;
+  PlannerChoice planner;
+};
+
+struct PlanProblem {
+  OccupancyMap occupancy;
+  AlignabilityMap alignability;
+  PlanQuery query;
+};
+
+/// A problem file as DESIGN §5 has it, the files that it names not yet read. Their paths are resolved against its folder.
+struct ProblemFile {
+  std::filesystem::path map;
+  std::filesystem::path alignability;
+  std::optional<std::filesystem::path> scene;
+  std::optional<std::filesystem::path> sensor;
+  std::optional<double> range_max;
+  PlanQuery query;
+};
+
+/// Throws InputError.
+ProblemFile read_problem_file(const std::filesystem::path& yaml_file);
+
+/// Reads the maps. Throws InputError.
+PlanProblem load_problem(const ProblemFile& file);
+
+/// The query as the lines of a problem file, defaults written out.
+std::string to_yaml(const PlanQuery& query);
+
+}  // namespace alignability

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <ompl/base/Planner.h>
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "planner/plan_problem.hpp"
+
+namespace alignability {
+
+inline constexpr const char* kDefaultPlanner = "rrtstar";
+
+/// The names of OMPL's planners that are offered, each honouring the objective.
+std::vector<std::string> planner_names();
+
+/// Why a planner of that name is not offered; nullopt when it is.
+std::optional<std::string> refusal_of_planner(const std::string& name);
+
+/// The planner of that choice, its settings those that a cost map allows: no pruning and no rejection by straight-line cost-to-come.
+/// Throws std::invalid_argument with the refusal.
+ompl::base::PlannerPtr make_planner(const PlannerChoice& choice, const ompl::base::SpaceInformationPtr& si);
+
+/// Whether a planner draws as many samples as there are iterations and then stops by itself, so that nobody else is to count.
+bool counts_its_own_iterations(const std::string& name);
+
+}  // namespace alignability

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <gtest/gtest.h>
+
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "planner/plan_problem.hpp"
+#include "tests/core/temporary_folder.hpp"
+#include "tests/core/thrown_message.hpp"
+
+namespace alignability {
+namespace {
+
+constexpr const char* kGood =
+    "map: maps/hall.yaml\n"
+    "alignability: hall_alignability.yaml\n"
+    "robot: {radius: 0.6}\n"
+    "motion: {space: r2, turn_cost: 0.3}\n"
+    "start: [1, 2, 0.5]\n"
+    "goal: [3, 4, -0.5]\n"
+    "goal_tolerance: {position: 0.2, heading_deg: 90}\n"
+    "risk: {weight: 7, alpha_critical: 0.2, alpha_safe: 0.5, unknown: neutral}\n"
+    "planner: {name: prmstar, time: 3.5, seed: 9}\n"
+    "scene: hall.sdf\n"
+    "sensor: ../sensors/hdl32e.yaml\n"
+    "range_max: 6.5\n";
+
+class ProblemFileTest : public testing::Test {
+ protected:
+  ProblemFile read(const std::string& text) const {
+    write_file(file, text);
+    return read_problem_file(file);
+  }
+
+  test::TemporaryFolder folder;
+  std::filesystem::path file = folder / "problem.yaml";
+};
+
+TEST_F(ProblemFileTest, ReadsEveryKey) {
+  const ProblemFile problem = read(kGood);
+  EXPECT_EQ(problem.map, folder / "maps/hall.yaml");
+  EXPECT_EQ(problem.alignability, folder / "hall_alignability.yaml");
+  EXPECT_EQ(problem.scene, folder / "hall.sdf");
+  EXPECT_EQ(problem.sensor, folder / "../sensors/hdl32e.yaml");
+  EXPECT_EQ(problem.range_max, 6.5);
+  const PlanQuery& query = problem.query;
+  EXPECT_EQ(query.robot.radius, 0.6);
+  EXPECT_EQ(query.motion.space, MotionSpace::r2);
+  EXPECT_EQ(query.motion.turn_cost, 0.3);
+  EXPECT_EQ(query.start, (Pose2{1, 2, 0.5}));
+  EXPECT_EQ(query.goal, (Pose2{3, 4, -0.5}));
+  EXPECT_EQ(query.goal_tolerance.position, 0.2);
+  EXPECT_NEAR(query.goal_tolerance.heading, radians(90), 1e-15);
+  EXPECT_EQ(query.weight, 7.0);
+  EXPECT_EQ(query.risk.alpha_critical, 0.2);
+  EXPECT_EQ(query.risk.alpha_safe, 0.5);
+  EXPECT_EQ(query.risk.unknown, UnknownPolicy::neutral);
+  EXPECT_EQ(query.planner.name, "prmstar");
+  EXPECT_EQ(query.planner.time, 3.5);
+  EXPECT_EQ(query.planner.seed, 9u);
+  EXPECT_FALSE(query.planner.iterations.has_value());
+}
+
+TEST_F(ProblemFileTest, FillsInTheDefaultsOfTheTypes) {
+  const ProblemFile problem = read("map: m.yaml\nalignability: a.yaml\nrobot: {radius: 1}\nstart: [0, 0, 0]\ngoal: [1, 1, 0]\n");
+  EXPECT_EQ(problem.query.weight, PlanQuery{}.weight);
+  EXPECT_EQ(problem.query.motion.space, MotionSpace::se2);
+  EXPECT_EQ(problem.query.risk.unknown, UnknownPolicy::risky);
+  EXPECT_TRUE(problem.query.planner.name.empty());
+}
+
+TEST_F(ProblemFileTest, IsWrittenOutAsItWasRead) {
+  const ProblemFile first = read(kGood);
+  const ProblemFile second = read("map: m.yaml\nalignability: a.yaml\n" + to_yaml(first.query));
+  EXPECT_EQ(to_yaml(second.query), to_yaml(first.query));
+  EXPECT_EQ(second.query.start, first.query.start);
+  EXPECT_EQ(second.query.weight, first.query.weight);
+}
+
+TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
+  struct Fault {
+    const char* from;
+    const char* to;
+    const char* message;
+  };
+  const Fault faults[] = {
+      {"weight: 7", "wieght: 7", "problem.yaml:8:8: unknown key 'wieght' (did you mean 'weight'?)"},
+      {"weight: 7", "weight: -1", "problem.yaml:8:16: 'weight' must be at least 0, not -1"},
+      {"weight: 7", "weight: .nan", "problem.yaml:8:16: 'weight' must be at least 0, not .nan"},
+      {"alpha_critical: 0.2", "alpha_critical: 0.6", "'alpha_critical' must be less than 'alpha_safe'"},
+      {"unknown: neutral", "unknown: netural",
+       "'unknown' is 'netural', which is none of: risky, neutral, blocked (did you mean 'neutral'?)"},
+      {"space: r2", "space: r3", "'space' is 'r3', which is none of: r2, se2"},
+      {"radius: 0.6", "radius: 0", "'radius' must be greater than 0"},
+      {"radius: 0.6", "radius: wide", "'radius' must be a number"},
+      {"start: [1, 2, 0.5]", "start: [1, 2]", "'start' must be a list of 3 numbers, not 2"},
+      {"start: [1, 2, 0.5]", "strat: [1, 2, 0.5]", "unknown key 'strat' (did you mean 'start'?)"},
+      {"goal: [3, 4, -0.5]\n", "", "missing key 'goal'"},
+      {"goal: [3, 4, -0.5]", "goal: [3, .inf, -0.5]", "'goal' must be a finite number"},
+      {"name: prmstar", "name: prmsta", "unknown planner 'prmsta'"},
+      {"seed: 9", "seed: 0", "'seed' must be a whole number from 1"},
+      {"seed: 9", "seed: 9, seed: 8", "key 'seed' is given twice"},
+      {"time: 3.5", "time: 3.5, iterations: 100", "give 'iterations' or 'time', not both"},
+      {"time: 3.5", "time: 0", "'time' must be greater than 0"},
+      {"heading_deg: 90", "heading_deg: 0", "'heading_deg' must be greater than 0 and at most 180"},
+  };
+  for (const Fault& fault : faults) {
+    std::string text = kGood;
+    text.replace(text.find(fault.from), std::string(fault.from).size(), fault.to);
+    const std::string message = test::thrown_message([&] { read(text); });
+    EXPECT_NE(message.find(fault.message), std::string::npos) << fault.to << " gave: " << message;
+  }
+}
+
+}  // namespace
+}  // namespace alignability
