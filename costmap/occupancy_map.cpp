@@ -40,8 +40,8 @@ GridGeometry geometry_around(const Slice& slice, double resolution) {
   if (box.isEmpty()) throw std::invalid_argument("no surface lies in the slice");
   // A corner within a thousandth of a cell's edge lies on it: worlds give decimals, meshes single precision.
   constexpr double kSlack = 1e-3;
-  const Eigen::Array2d low = (box.min().array() / resolution + kSlack).floor() - 1.0;
-  const Eigen::Array2d high = (box.max().array() / resolution - kSlack).ceil() + 1.0;
+  const Eigen::Array2d low = (box.min().array() / resolution + kSlack).floor();
+  const Eigen::Array2d high = (box.max().array() / resolution - kSlack).ceil().max(low + 1.0);
   const Eigen::Array2d cells = high - low;
   if (!(cells.prod() <= std::numeric_limits<std::int32_t>::max()))
     throw std::invalid_argument("the slice has too many cells at that resolution");

@@ -29,12 +29,11 @@ class OccupancyMap {
 };
 
 /// Occupied (1) where a surface of the slice touches a cell or a solid holds its centre; free (0) where a floor lies beneath the
-/// centre and neither is the case; else unknown. A cell owns its left and lower edge, so a wall that ends on a cell's edge does not
-/// spill into the next. O(cells covered).
+/// centre and neither is the case; else unknown. A cell owns its left and lower edge. O(cells covered).
 OccupancyMap rasterize(const Slice& slice, const GridGeometry& geometry);
 
 /// The smallest grid of that resolution, its corners on whole cells counted from the origin of `map`, that holds every surface of the
-/// slice and a cell around. Throws std::invalid_argument for a slice without surfaces, or one of more than 2^31 cells.
+/// slice. Throws std::invalid_argument for a slice without surfaces, or one of more than 2^31 cells.
 GridGeometry geometry_around(const Slice& slice, double resolution);
 
 }  // namespace alignability

@@ -48,10 +48,18 @@ IndexRange indices(double low, double high, int count) {
   return {static_cast<int>(std::clamp(low, 0.0, static_cast<double>(count))), static_cast<int>(std::clamp(high, -1.0, count - 1.0))};
 }
 
-IndexRange rows_of(const ConvexPolygon& polygon, int height) {
-  Interval rows;
-  for (const Eigen::Vector2d& corner : polygon) rows.extend(corner.y());
-  return indices(std::floor(rows.low), std::floor(rows.high), height);
+Interval height_of(const ConvexPolygon& polygon) {
+  Interval height;
+  for (const Eigen::Vector2d& corner : polygon) height.extend(corner.y());
+  return height;
+}
+
+// An interval of some length without the last thousandth of a cell at its ends: what reaches no further into a cell only brushes it.
+// Corners are rounded, and a wall that ends on a cell's edge is not to take the next cell.
+Interval without_brushes(const Interval& interval) {
+  constexpr double kBrush = 1e-3;
+  if (interval.high - interval.low <= 2.0 * kBrush) return interval;
+  return {interval.low + kBrush, interval.high - kBrush};
 }
 
 ConvexPolygon in_cells(const GridGeometry& geometry, const ConvexPolygon& polygon) {
@@ -69,16 +77,20 @@ void visit_row(int row, IndexRange columns, const CellVisitor& visit) {
 
 void visit_touched(const GridGeometry& geometry, const ConvexPolygon& polygon, const CellVisitor& visit) {
   const ConvexPolygon corners = in_cells(geometry, polygon);
-  const IndexRange rows = rows_of(corners, geometry.height);
+  const Interval height = without_brushes(height_of(corners));
+  const Interval reach = without_brushes(width_between(corners, height.low, height.high));
+  const IndexRange rows = indices(std::floor(height.low), std::floor(height.high), geometry.height);
   for (int row = rows.first; row <= rows.last; ++row) {
     const Interval width = width_between(corners, row, row + 1.0);
-    visit_row(row, indices(std::floor(width.low), std::floor(width.high), geometry.width), visit);
+    visit_row(row, indices(std::floor(std::max(width.low, reach.low)), std::floor(std::min(width.high, reach.high)), geometry.width),
+              visit);
   }
 }
 
 void visit_covered(const GridGeometry& geometry, const ConvexPolygon& polygon, const CellVisitor& visit) {
   const ConvexPolygon corners = in_cells(geometry, polygon);
-  const IndexRange rows = rows_of(corners, geometry.height);
+  const Interval height = height_of(corners);
+  const IndexRange rows = indices(std::floor(height.low), std::floor(height.high), geometry.height);
   for (int row = rows.first; row <= rows.last; ++row) {
     const Interval width = width_between(corners, row + 0.5, row + 0.5);
     visit_row(row, indices(std::ceil(width.low - 0.5), std::floor(width.high - 0.5), geometry.width), visit);

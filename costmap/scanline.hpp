@@ -11,7 +11,8 @@ namespace alignability::detail {
 
 using CellVisitor = std::function<void(Cell)>;
 
-/// The cells that a polygon has a point in, boundary included; a cell owns its left and lower edge.
+/// The cells that a polygon reaches into, boundary included, by more than a thousandth of a cell where it goes on; a cell owns its left and
+/// lower edge.
 void visit_touched(const GridGeometry& geometry, const ConvexPolygon& polygon, const CellVisitor& visit);
 
 /// The cells whose centre lies in a polygon, boundary included.

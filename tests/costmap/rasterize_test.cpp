@@ -187,22 +187,22 @@ TEST(Rasterize, LeavesNoGapBetweenPiecesOfAWallThatShareAnEnd) {
   }
 }
 
-TEST(GeometryAround, HoldsEverySurfaceAndACellAround) {
+TEST(GeometryAround, HoldsEverySurface) {
   const Slice slice{.surfaces = {rectangle(-1.25, 0.3, 2.7, 0.9)}, .solid_edges = {}, .floors = {rectangle(-100, -100, 100, 100)}};
   const GridGeometry geometry = geometry_around(slice, 0.5);
   EXPECT_EQ(geometry.resolution, 0.5);
-  EXPECT_EQ(geometry.origin, Eigen::Vector2d(-2.0, -0.5));
-  EXPECT_EQ(geometry.width, 11) << "-2 to 3.5";
-  EXPECT_EQ(geometry.height, 4) << "-0.5 to 1.5";
+  EXPECT_EQ(geometry.origin, Eigen::Vector2d(-1.5, 0.0));
+  EXPECT_EQ(geometry.width, 9) << "-1.5 to 3";
+  EXPECT_EQ(geometry.height, 2) << "0 to 1";
 }
 
 TEST(GeometryAround, TakesDecimalsThatEndOnALineForWhatTheyAre) {
   // 0.3 / 0.1 is a little less than 3, and 0.7 / 0.1 than 7.
   const GridGeometry geometry = geometry_around({.surfaces = {rectangle(0.3, -0.3, 0.7, 0.7)}, .solid_edges = {}, .floors = {}}, 0.1);
-  EXPECT_NEAR(geometry.origin.x(), 0.2, 1e-12);
-  EXPECT_NEAR(geometry.origin.y(), -0.4, 1e-12);
-  EXPECT_EQ(geometry.width, 6);
-  EXPECT_EQ(geometry.height, 12);
+  EXPECT_NEAR(geometry.origin.x(), 0.3, 1e-12);
+  EXPECT_NEAR(geometry.origin.y(), -0.3, 1e-12);
+  EXPECT_EQ(geometry.width, 4);
+  EXPECT_EQ(geometry.height, 10);
 }
 
 TEST(GeometryAround, RefusesASliceWithoutSurfacesOrOneTooLarge) {

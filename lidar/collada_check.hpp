@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+namespace alignability::detail {
+
+/// Sees that a COLLADA file is XML and that no number in an attribute (`count`, `stride`, `offset`, …) is larger than the file has bytes,
+/// as the importer allocates what they promise. Throws InputError at the line that is wrong.
+void check_collada(std::string_view bytes, const std::filesystem::path& file);
+
+}  // namespace alignability::detail

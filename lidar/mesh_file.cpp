@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lidar/mesh_file.hpp"
+
+#include <assimp/config.h>
+#include <assimp/postprocess.h>
+#include <assimp/scene.h>
+
+#include <algorithm>
+#include <assimp/Importer.hpp>
+#include <cctype>
+#include <cmath>
+#include <cstdint>
+#include <exception>
+
+#include "core/file.hpp"
+#include "core/input_error.hpp"
+#include "lidar/collada_check.hpp"
+#include "lidar/ply_file.hpp"
+
+namespace alignability {
+namespace {
+
+constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
+constexpr std::size_t kMostTriangles = std::size_t{1} << 25;
+constexpr unsigned kAllButPositions = aiComponent_NORMALS | aiComponent_TANGENTS_AND_BITANGENTS | aiComponent_COLORS |
+                                      aiComponent_TEXCOORDS | aiComponent_BONEWEIGHTS | aiComponent_ANIMATIONS | aiComponent_TEXTURES |
+                                      aiComponent_LIGHTS | aiComponent_CAMERAS | aiComponent_MATERIALS;
+
+std::string lower_extension(const std::filesystem::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(), [](unsigned char letter) { return static_cast<char>(std::tolower(letter)); });
+  return extension;
+}
+
+void check_file(const std::filesystem::path& file) {
+  std::error_code error;
+  if (!is_mesh_file(file)) throw InputError(file, "meshes are read from .dae, .stl, .obj, .ply, .gltf and .glb files");
+  if (!std::filesystem::exists(file, error)) throw InputError(file, "no such file");
+  if (!std::filesystem::is_regular_file(file, error)) throw InputError(file, "not a regular file");
+  const std::uintmax_t size = std::filesystem::file_size(file, error);
+  if (error) throw InputError(file, "cannot be read: " + error.message());
+  if (size > kLargestFile)
+    throw InputError(file, "is " + std::to_string(size) + " bytes long; at most " + std::to_string(kLargestFile) + " are read");
+  // The importer allocates what these promise.
+  const std::string extension = lower_extension(file);
+  if (extension == ".ply") detail::check_ply_counts(read_file(file, kLargestFile), file);
+  if (extension == ".dae") detail::check_collada(read_file(file, kLargestFile), file);
+}
+
+const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& file, const MeshOptions& options) {
+  importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(kAllButPositions));
+  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, options.up_axis.has_value());
+  const aiScene* scene = nullptr;
+  try {
+    scene = importer.ReadFile(file.string(),
+                              aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
+  } catch (const std::exception& error) {
+    throw InputError(file, std::string("cannot be read as a mesh: ") + error.what());
+  }
+  if (scene == nullptr) throw InputError(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+  if (scene->mRootNode == nullptr) throw InputError(file, "holds no triangles");
+  return *scene;
+}
+
+Eigen::Affine3d to_eigen(const aiMatrix4x4& matrix) {
+  Eigen::Affine3d result;
+  result.matrix() << matrix.a1, matrix.a2, matrix.a3, matrix.a4, matrix.b1, matrix.b2, matrix.b3, matrix.b4, matrix.c1, matrix.c2,
+      matrix.c3, matrix.c4, matrix.d1, matrix.d2, matrix.d3, matrix.d4;
+  return result;
+}
+
+// COLLADA 1.4.1, up_axis: what points right, up and towards the viewer.
+Eigen::Affine3d to_z_up(UpAxis up) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  if (up == UpAxis::x) rotation << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  if (up == UpAxis::y) rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return Eigen::Affine3d(rotation);
+}
+
+// From the importer's root frame to ours. Of COLLADA it has turned y up, unless told not to, and has put the file's unit into the root
+// node.
+Eigen::Affine3d root_correction(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
+  const bool y_is_up = extension == ".dae" || extension == ".gltf" || extension == ".glb";
+  const UpAxis up = options.up_axis.value_or(y_is_up ? UpAxis::y : UpAxis::z);
+  double scale = options.unit.value_or(1.0);
+  if (options.unit && extension == ".dae") scale /= std::cbrt(to_eigen(scene.mRootNode->mTransformation).linear().determinant());
+  return to_z_up(up) * Eigen::Scaling(scale);
+}
+
+// Gathers the triangles of a tree of nodes.
+class Collector {
+ public:
+  Collector(const aiScene& scene, std::filesystem::path file, std::optional<std::string> submesh)
+      : scene_(scene), file_(std::move(file)), submesh_(std::move(submesh)) {}
+
+  void visit(const aiNode& node, const Eigen::Affine3d& T_map_parent) {
+    const Eigen::Affine3d T_map_node = T_map_parent * to_eigen(node.mTransformation);
+    std::vector<TriangleMesh> parts;  // one a material
+    for (unsigned i = 0; i < node.mNumMeshes; ++i) {
+      const aiMesh& mesh = *scene_.mMeshes[node.mMeshes[i]];
+      if (!submesh_ || *submesh_ == node.mName.C_Str() || *submesh_ == mesh.mName.C_Str()) parts.push_back(convert(mesh));
+    }
+    add(merged(parts, node.mName.C_Str()), T_map_node);
+    for (unsigned i = 0; i < node.mNumChildren; ++i) visit(*node.mChildren[i], T_map_node);
+  }
+
+  std::vector<TriangleMesh> result() && { return std::move(meshes_); }
+
+ private:
+  TriangleMesh convert(const aiMesh& mesh) {
+    triangles_ += mesh.mNumFaces;
+    if (triangles_ > kMostTriangles) throw InputError(file_, "has more than " + std::to_string(kMostTriangles) + " triangles");
+    TriangleMesh part;
+    for (unsigned i = 0; i < mesh.mNumVertices; ++i)
+      part.vertices.emplace_back(mesh.mVertices[i].x, mesh.mVertices[i].y, mesh.mVertices[i].z);
+    for (unsigned i = 0; i < mesh.mNumFaces; ++i) {
+      const aiFace& face = mesh.mFaces[i];
+      if (face.mNumIndices == 3) part.triangles.push_back({face.mIndices[0], face.mIndices[1], face.mIndices[2]});
+    }
+    return part;
+  }
+
+  void add(const TriangleMesh& mesh, const Eigen::Affine3d& T_map_node) {
+    if (mesh.triangles.empty()) return;
+    meshes_.push_back(transformed(mesh, T_map_node));
+    const auto finite = [](const Eigen::Vector3f& vertex) { return vertex.allFinite(); };
+    if (!std::ranges::all_of(meshes_.back().vertices, finite)) throw InputError(file_, "has a vertex that is not finite");
+  }
+
+  const aiScene& scene_;
+  std::filesystem::path file_;
+  std::optional<std::string> submesh_;
+  std::vector<TriangleMesh> meshes_;
+  std::size_t triangles_ = 0;
+};
+
+}  // namespace
+
+bool is_mesh_file(const std::filesystem::path& file) {
+  static constexpr std::array kExtensions{".dae", ".stl", ".obj", ".ply", ".gltf", ".glb"};
+  return std::ranges::find(kExtensions, lower_extension(file)) != kExtensions.end();
+}
+
+std::vector<TriangleMesh> read_mesh_file(const std::filesystem::path& file, const MeshOptions& options) {
+  check_file(file);
+  Assimp::Importer importer;
+  const aiScene& scene = import(importer, file, options);
+  Collector collector(scene, file, options.submesh);
+  collector.visit(*scene.mRootNode, root_correction(scene, lower_extension(file), options));
+  std::vector<TriangleMesh> meshes = std::move(collector).result();
+  if (meshes.empty() && options.submesh) throw InputError(file, "has no triangles named '" + *options.submesh + "'");
+  if (meshes.empty()) throw InputError(file, "holds no triangles");
+  return meshes;
+}
+
+}  // namespace alignability

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lidar/ply_file.hpp"
+
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "core/input_error.hpp"
+#include "lidar/point_table.hpp"
+
+namespace alignability::detail {
+namespace {
+
+enum class Format { ascii, little_endian, big_endian };
+
+std::size_t size_of(const std::string& type, const HeaderLines& lines) {
+  static constexpr std::array<std::pair<const char*, std::size_t>, 16> kSizes{{{"char", 1},
+                                                                               {"uchar", 1},
+                                                                               {"short", 2},
+                                                                               {"ushort", 2},
+                                                                               {"int", 4},
+                                                                               {"uint", 4},
+                                                                               {"float", 4},
+                                                                               {"double", 8},
+                                                                               {"int8", 1},
+                                                                               {"uint8", 1},
+                                                                               {"int16", 2},
+                                                                               {"uint16", 2},
+                                                                               {"int32", 4},
+                                                                               {"uint32", 4},
+                                                                               {"float32", 4},
+                                                                               {"float64", 8}}};
+  for (const auto& [name, size] : kSizes) {
+    if (type == name) return size;
+  }
+  lines.fail("'" + type + "' is no type of a PLY file");
+}
+
+class HeaderReader {
+ public:
+  HeaderReader(std::string_view bytes, const std::filesystem::path& file) : lines_(file, bytes) { table_.file = file; }
+
+  std::pair<PointTable, Format> read() {
+    for (std::vector<std::string> words = lines_.next(); words.empty() || words[0] != "end_header"; words = lines_.next()) read_line(words);
+    if (!format_) lines_.fail("the header has no 'format'");
+    if (!std::ranges::all_of(found_, std::identity{})) lines_.fail("the header has no element 'vertex' with properties x, y and z");
+    if (table_.rows == 0) lines_.fail("holds no points");
+    table_.begin = lines_.position();
+    table_.first_line = lines_.line() + 1;
+    return {table_, *format_};
+  }
+
+ private:
+  enum class Element { none, vertex, later };
+
+  void read_line(const std::vector<std::string>& words) {
+    if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") return;
+    if (words[0] == "format" && words.size() == 3) return read_format(words[1]);
+    if (words[0] == "element" && words.size() == 3) return read_element(words[1], words[2]);
+    if (words[0] == "property" && words.size() >= 3) return read_property(words);
+    lines_.fail("'" + words[0] + "' is no complete line of a PLY header");
+  }
+
+  void read_format(const std::string& name) {
+    if (format_) lines_.fail("'format' is given twice");
+    if (name == "ascii") format_ = Format::ascii;
+    if (name == "binary_little_endian") format_ = Format::little_endian;
+    if (name == "binary_big_endian") format_ = Format::big_endian;
+    if (!format_) lines_.fail("'" + name + "' is no format of a PLY file");
+  }
+
+  void read_element(const std::string& name, const std::string& count) {
+    if (name == "vertex") {
+      if (element_ != Element::none) lines_.fail("'vertex' must be the first element, and the only one of its name");
+      element_ = Element::vertex;
+      table_.rows = lines_.number(count, 0, kMostPoints);
+    } else {
+      if (element_ == Element::none) lines_.fail("'vertex' must be the first element");
+      element_ = Element::later;
+    }
+  }
+
+  void read_property(const std::vector<std::string>& words) {
+    if (element_ == Element::none) lines_.fail("a property before any element");
+    if (element_ == Element::later) return;
+    if (words.size() != 3) lines_.fail("a vertex with a list is not supported");
+    const std::size_t size = size_of(words[1], lines_);
+    for (int axis = 0; axis < 3; ++axis) {
+      if (words[2] != std::string(1, "xyz"[axis])) continue;
+      const bool real = words[1].starts_with("float") || words[1] == "double";
+      if (!real) lines_.fail("'" + words[2] + "' must be a float or a double");
+      if (std::exchange(found_[axis], true)) lines_.fail("'" + words[2] + "' is given twice");
+      const auto type = size == 4 ? Coordinate::Type::float32 : Coordinate::Type::float64;
+      table_.xyz[axis] = {.type = type, .byte = table_.row_bytes, .value = table_.row_values};
+    }
+    table_.row_bytes += size;
+    table_.row_values += 1;
+    if (table_.row_bytes > kMostRowBytes) lines_.fail("a vertex has more than " + std::to_string(kMostRowBytes) + " bytes");
+  }
+
+  HeaderLines lines_;
+  PointTable table_;
+  std::optional<Format> format_;
+  Element element_ = Element::none;
+  std::array<bool, 3> found_{};
+};
+
+std::vector<Eigen::Vector3f> decode(const PointTable& table, Format format, std::string_view bytes) {
+  if (format == Format::ascii) return decode_ascii(table, bytes, Remainder::anything);
+  return decode_binary(table, bytes, format == Format::little_endian ? std::endian::little : std::endian::big);
+}
+
+}  // namespace
+
+Scan parse_ply(std::string_view bytes, const std::filesystem::path& file) {
+  const auto [table, format] = HeaderReader(bytes, file).read();
+  return {.points = decode(table, format, bytes), .rings = 1, .columns = static_cast<int>(table.rows)};
+}
+
+void check_ply_counts(std::string_view bytes, const std::filesystem::path& file) {
+  HeaderLines lines(file, bytes);
+  for (std::vector<std::string> words = lines.next(); words.empty() || words[0] != "end_header"; words = lines.next()) {
+    if (words.size() == 3 && words[0] == "element") lines.number(words[2], 0, bytes.size());
+  }
+}
+
+}  // namespace alignability::detail

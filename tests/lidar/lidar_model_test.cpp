@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lidar/lidar_model.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <numbers>
+
+#include "tests/lidar/fixtures.hpp"
+
+namespace alignability {
+namespace {
+
+using testing::HasSubstr;
+
+constexpr double kPi = std::numbers::pi;
+constexpr const char* kHdl32 = R"(name: Velodyne HDL-32E
+elevation_deg: {min: -30.67, max: 10.67, count: 32}
+azimuth_deg: {min: -180, max: 180, count: 2170}
+range: {min: 0.5, max: 100, stddev: 0.008}
+rate: 10
+mount: {xyz: [0.1, 0, 1.9], rpy_deg: [0, 0, 90]}
+)";
+
+TEST(LidarModel, ReadsASensorFile) {
+  const LidarModel model = parse_lidar_model(kHdl32, "hdl32e.yaml");
+  EXPECT_EQ(model.name, "Velodyne HDL-32E");
+  EXPECT_EQ(model.rings(), 32);
+  EXPECT_NEAR(model.elevations[1] - model.elevations[0], 1.3335 * kPi / 180, 1e-4);
+  EXPECT_EQ(model.columns, 2170);
+  EXPECT_EQ(model.range_max, 100.0);
+  EXPECT_EQ(model.range_stddev, 0.008);
+  EXPECT_EQ(model.yaml, kHdl32);
+  EXPECT_TRUE((model.T_base_lidar * Eigen::Vector3d(1, 0, 0)).isApprox(Eigen::Vector3d(0.1, 1, 1.9), 1e-12));
+}
+
+TEST(LidarModel, TurnsTheMountAboutFixedAxesRollFirst) {
+  const LidarModel model = parse_lidar_model(
+      "{name: a, elevation_deg: [0], azimuth_deg: {min: 0, max: 360, count: 4}, range: {min: 0, max: 9, stddev: 0}, rate: 1, "
+      "mount: {xyz: [0, 0, 0], rpy_deg: [90, 0, 90]}}",
+      "a.yaml");
+  // y goes to z by the roll and stays there under the yaw about the fixed z axis.
+  EXPECT_TRUE((model.T_base_lidar * Eigen::Vector3d(0, 1, 0)).isApprox(Eigen::Vector3d(0, 0, 1), 1e-12));
+}
+
+TEST(LidarModel, ElevationsMayBeAList) {
+  const LidarModel model = parse_lidar_model(
+      "{name: a, elevation_deg: [5, -5, 1], azimuth_deg: {min: -45, max: 45, count: 3}, range: {min: 0, max: 9, stddev: 0}, rate: 1}",
+      "a.yaml");
+  ASSERT_EQ(model.rings(), 3);
+  EXPECT_NEAR(model.elevations[1], -5 * kPi / 180, 1e-12);
+  EXPECT_TRUE(model.T_base_lidar.isApprox(Eigen::Isometry3d::Identity()));
+}
+
+TEST(LidarModel, BeamsOfAFullCircleDoNotRepeatTheFirst) {
+  LidarModel model = test::small_lidar();
+  const auto directions = beam_directions(model);
+  ASSERT_EQ(directions.size(), 36u);
+  for (const auto& direction : directions) EXPECT_NEAR(direction.norm(), 1.0f, 1e-6f);
+  EXPECT_NEAR(directions[0].x(), -std::cos(0.3), 1e-6);
+  EXPECT_NEAR(directions[0].z(), -std::sin(0.3), 1e-6);
+  EXPECT_NEAR(std::atan2(directions[11].y(), directions[11].x()), kPi - kPi / 6, 1e-6);
+  EXPECT_TRUE(directions[12 + 6].isApprox(Eigen::Vector3f::UnitX(), 1e-6f));
+}
+
+TEST(LidarModel, BeamsOfALimitedFieldOfViewReachBothEnds) {
+  LidarModel model = test::small_lidar();
+  model.elevations = {0.0};
+  model.azimuth_min = -1.0;
+  model.azimuth_max = 1.0;
+  model.columns = 5;
+  const auto directions = beam_directions(model);
+  EXPECT_NEAR(std::atan2(directions.front().y(), directions.front().x()), -1.0, 1e-6);
+  EXPECT_NEAR(std::atan2(directions.back().y(), directions.back().x()), 1.0, 1e-6);
+}
+
+struct Fault {
+  const char* what;
+  const char* replaced;
+  const char* by;
+  const char* message;
+};
+
+class MalformedSensorFile : public testing::TestWithParam<Fault> {};
+
+TEST_P(MalformedSensorFile, IsRefusedAtTheKey) {
+  std::string text = kHdl32;
+  const std::size_t at = text.find(GetParam().replaced);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, std::string_view(GetParam().replaced).size(), GetParam().by);
+  EXPECT_THAT(test::fault_of([&] { parse_lidar_model(text, "s.yaml"); }), HasSubstr(GetParam().message));
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, MalformedSensorFile,
+    testing::Values(Fault{"MissingName", "name: Velodyne HDL-32E\n", "", "missing key 'name'"},
+                    Fault{"MisspeltKey", "rate: 10", "rte: 10", "s.yaml:5:1: unknown key 'rte' (did you mean 'rate'?)"},
+                    Fault{"UnknownKeyInSpan", "count: 32", "count: 32, step: 1", "s.yaml:2:53: unknown key 'step'"},
+                    Fault{"ElevationAboveTheZenith", "max: 10.67", "max: 110", "s.yaml:2:35: 'max' must be from -90 to 90"},
+                    Fault{"TooManyRings", "count: 32", "count: 100000", "'count' must be a whole number from 1 to 1024"},
+                    Fault{"TooManyBeams", "count: 2170", "count: 1000000", "'count' must be a whole number from 1 to 131072"},
+                    Fault{"HalfAColumn", "count: 2170", "count: 0.5", "'count' must be a whole number"},
+                    Fault{"ReversedSpan", "min: -180, max: 180", "min: 180, max: -180", "'max' must be greater than 'min'"},
+                    Fault{"MoreThanACircle", "min: -180, max: 180", "min: -200, max: 200", "'azimuth_deg' must span at most 360"},
+                    Fault{"OneBeamForASpan", "count: 32", "count: 1", "'count' of 1 needs 'min' and 'max' to be equal"},
+                    Fault{"EmptyList", "{min: -30.67, max: 10.67, count: 32}", "[]", "'elevation_deg' must list from 1 to 1024 angles"},
+                    Fault{"NotANumber", "stddev: 0.008", "stddev: .nan", "'stddev' must be"},
+                    Fault{"NegativeNoise", "stddev: 0.008", "stddev: -1", "'stddev' must be"},
+                    Fault{"RangesReversed", "max: 100", "max: 0.4", "'max' must be greater than 0.5"},
+                    Fault{"StandingStill", "rate: 10", "rate: 0", "'rate' must be greater than 0"},
+                    Fault{"MountOfTwoNumbers", "[0.1, 0, 1.9]", "[0.1, 0]", "'xyz' must be a list of 3 numbers"}),
+    [](const auto& instance) { return instance.param.what; });
+
+}  // namespace
+}  // namespace alignability

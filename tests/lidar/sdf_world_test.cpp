@@ -1,0 +1,235 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "lidar/sdf_world.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+
+#include "lidar/scene.hpp"
+#include "tests/lidar/fixtures.hpp"
+#include "tests/shared_data.hpp"
+
+namespace alignability {
+namespace {
+
+using test::fault_of;
+using test::TemporaryFolder;
+using test::write;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+constexpr const char* kBox = "<box><size>1 2 3</size></box>";
+constexpr const char* kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+std::string world(const std::string& content) {
+  return "<?xml version=\"1.0\"?>\n<sdf version=\"1.7\">\n<world name=\"w\">\n" + content + "\n</world></sdf>\n";
+}
+
+std::string shape(const std::string& geometry, const std::string& pose = "0 0 0 0 0 0") {
+  const std::string inside = "<pose>" + pose + "</pose><geometry>" + geometry + "</geometry>";
+  return "<collision name=\"c\">" + inside + "</collision><visual name=\"v\">" + inside + "</visual>";
+}
+
+std::string model(const std::string& shapes, const std::string& pose = "0 0 0 0 0 0") {
+  return "<model name=\"m\"><pose>" + pose + "</pose><static>true</static><link name=\"l\">" + shapes + "</link></model>";
+}
+
+Eigen::AlignedBox3f box_of(const World& read) { return bounds(merged(read.meshes, "")); }
+
+void expect_box(const World& read, const Eigen::Vector3f& min, const Eigen::Vector3f& max) {
+  EXPECT_LT((box_of(read).min() - min).norm(), 1e-4f) << box_of(read).min().transpose();
+  EXPECT_LT((box_of(read).max() - max).norm(), 1e-4f) << box_of(read).max().transpose();
+}
+
+TEST(SdfWorld, PlacesABoxByModelLinkAndShape) {
+  const TemporaryFolder folder;
+  const World read = read_world(write(folder, "w.sdf", world(model(shape(kBox, "0 0 1.5 0 0 0"), "10 20 0 0 0 1.5707963267948966"))));
+  ASSERT_EQ(read.meshes.size(), 1u);
+  EXPECT_EQ(read.meshes[0].name, "m::l::c");
+  expect_box(read, {9, 19.5f, 0}, {11, 20.5f, 3});
+  EXPECT_THAT(read.warnings, IsEmpty());
+}
+
+TEST(SdfWorld, FollowsRelativePoses) {
+  const TemporaryFolder folder;
+  const std::string content =
+      "<frame name=\"bay\"><pose>5 0 0 0 0 0</pose></frame><model name=\"m\"><pose relative_to=\"bay\">1 0 0 0 0 0</pose>"
+      "<link name=\"a\"><pose>0 1 0 0 0 0</pose></link><link name=\"b\"><pose relative_to=\"a\">0 1 0 0 0 0</pose>" +
+      shape("<sphere><radius>1</radius></sphere>") + "</link></model>";
+  expect_box(read_world(write(folder, "w.sdf", world(content))), {5, 1, -1}, {7, 3, 1});
+}
+
+TEST(SdfWorld, KnowsEveryPrimitive) {
+  const TemporaryFolder folder;
+  const auto extent = [&](const std::string& geometry) -> Eigen::Vector3f {
+    return box_of(read_world(write(folder, "w.sdf", world(model(shape(geometry)))))).sizes();
+  };
+  EXPECT_TRUE(extent("<cylinder><radius>0.5</radius><length>2</length></cylinder>").isApprox(Eigen::Vector3f(1, 1, 2), 1e-4f));
+  EXPECT_TRUE(extent("<capsule><radius>0.5</radius><length>2</length></capsule>").isApprox(Eigen::Vector3f(1, 1, 3), 1e-4f));
+  EXPECT_TRUE(extent("<ellipsoid><radii>1 2 3</radii></ellipsoid>").isApprox(Eigen::Vector3f(2, 4, 6), 1e-4f));
+  EXPECT_TRUE(extent("<sphere><radius>2</radius></sphere>").isApprox(Eigen::Vector3f(4, 4, 4), 1e-4f));
+}
+
+TEST(SdfWorld, AVisualPlaneHasItsSizeAndACollisionPlaneNoEnd) {
+  const TemporaryFolder folder;
+  const std::string plane = "<plane><normal>0 0 1</normal><size>3 4</size></plane>";
+  const auto file =
+      write(folder, "w.sdf",
+            world(model(shape(plane)) + "<model name=\"far\"><link name=\"l\">" + shape(kBox, "30 0 5 0 0 0") + "</link></model>"));
+  const World visual = read_world(file, {.model_paths = {}, .geometry = SdfGeometry::visual});
+  EXPECT_EQ(visual.meshes[0].name, "m::l::v");
+  EXPECT_TRUE(bounds(visual.meshes[0]).sizes().isApprox(Eigen::Vector3f(3, 4, 0), 1e-5f));
+  const World collision = read_world(file);
+  ASSERT_EQ(collision.meshes.size(), 2u);
+  EXPECT_EQ(collision.meshes[1].name, "m::l::c");
+  EXPECT_TRUE(bounds(collision.meshes[1]).sizes().isApprox(Eigen::Vector3f(81, 81, 0), 1e-5f));
+}
+
+TEST(SdfWorld, APlaneFacesAlongItsNormal) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, "w.sdf", world(model(shape("<plane><normal>1 0 0</normal><size>3 4</size></plane>", "7 0 0 0 0 0"))));
+  const Eigen::AlignedBox3f box = box_of(read_world(file, {.model_paths = {}, .geometry = SdfGeometry::visual}));
+  EXPECT_NEAR(box.min().x(), 7, 1e-5);
+  EXPECT_NEAR(box.max().x(), 7, 1e-5);
+}
+
+TEST(SdfWorld, FindsMeshesBesideItAndScalesThem) {
+  const TemporaryFolder folder;
+  write(folder, "meshes/t.obj", kTetrahedron);
+  const auto file = write(folder, "w.sdf", world(model(shape("<mesh><uri>meshes/t.obj</uri><scale>-1 2 1</scale></mesh>"))));
+  const World read = read_world(file);
+  expect_box(read, {-1, 0, 0}, {0, 4, 3});
+  EXPECT_NEAR(test::volume(read.meshes[0]), 2.0, 1e-5);
+}
+
+TEST(SdfWorld, IncludesModelsNestedInModels) {
+  const TemporaryFolder folder;
+  write(folder, "models/crate/model.sdf",
+        "<sdf version=\"1.6\"><model name=\"crate\"><link name=\"l\">" + shape("<mesh><uri>model://crate/t.obj</uri></mesh>") +
+            "</link></model></sdf>");
+  write(folder, "models/crate/t.obj", kTetrahedron);
+  const auto file = write(folder, "worlds/w.world",
+                          world("<model name=\"one\"><include><uri>model://crate</uri></include><pose>10 0 0 0 0 0</pose></model>"
+                                "<include><name>two</name><uri>model://crate</uri><pose>20 0 0 0 0 0</pose></include>"));
+  const World read = read_world(file);
+  ASSERT_EQ(read.meshes.size(), 2u);
+  EXPECT_EQ(read.meshes[0].name, "one::crate::l::c");
+  EXPECT_EQ(read.meshes[1].name, "two::l::c");
+  expect_box(read, {10, 0, 0}, {21, 2, 3});
+}
+
+TEST(SdfWorld, LooksForModelsInGivenFoldersAndInTheEnvironment) {
+  const TemporaryFolder folder;
+  write(folder, "elsewhere/crate/model.sdf",
+        "<sdf version=\"1.6\"><model name=\"crate\"><link name=\"l\">" + shape(kBox) + "</link></model></sdf>");
+  const auto file = write(folder, "w/w.world", world("<include><uri>model://crate</uri></include>"));
+  EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("w.world:4: "));
+  EXPECT_EQ(read_world(file, {.model_paths = {folder / "elsewhere"}}).meshes.size(), 1u);
+  ::setenv("GZ_SIM_RESOURCE_PATH", ("/nowhere:" + (folder / "elsewhere").string()).c_str(), 1);
+  EXPECT_EQ(read_world(file).meshes.size(), 1u);
+  ::unsetenv("GZ_SIM_RESOURCE_PATH");
+}
+
+TEST(SdfWorld, ReadsALoneModel) {
+  const TemporaryFolder folder;
+  const World read = read_world(write(folder, "model.sdf", "<sdf version=\"1.7\">" + model(shape(kBox), "5 0 0 0 0 0") + "</sdf>"));
+  expect_box(read, {4.5f, -1, -1.5f}, {5.5f, 1, 1.5f});
+}
+
+TEST(SdfWorld, NamesWhatItLeavesOut) {
+  const TemporaryFolder folder;
+  const auto file = write(folder, "w.sdf", world(model(shape("<heightmap><uri>hills.png</uri></heightmap>"))));
+  const World read = read_world(file);
+  EXPECT_THAT(read.meshes, IsEmpty());
+  EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("w.sdf:4: 'm::l::c' is left out: geometry 'heightmap' is not supported")));
+}
+
+TEST(SdfWorld, PassesTheLibrarysWarningsOnWithoutPrintingThem) {
+  const TemporaryFolder folder;
+  testing::internal::CaptureStderr();
+  const World read = read_world(write(folder, "w.sdf", world("<furniture/>" + model(shape(kBox)))));
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
+  EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("furniture")));
+  EXPECT_EQ(read.meshes.size(), 1u);
+}
+
+TEST(SdfWorld, DoesNotMindImpossibleMasses) {
+  const TemporaryFolder folder;
+  const std::string inertial = "<inertial><mass>1</mass><inertia><ixx>1</ixx><iyy>1</iyy><izz>100</izz></inertia></inertial>";
+  EXPECT_EQ(read_world(write(folder, "w.sdf", world(model(inertial + shape(kBox))))).meshes.size(), 1u);
+}
+
+TEST(SdfWorld, RefusesWhatItCannotRead) {
+  const TemporaryFolder folder;
+  const auto fault = [&](const std::string& text) { return fault_of([&] { read_world(write(folder, "w.sdf", text)); }); };
+  EXPECT_EQ(fault_of([&] { read_world(folder / "missing.sdf"); }), "missing.sdf: no such file");
+  EXPECT_THAT(fault(""), HasSubstr("w.sdf:1: not valid XML: "));
+  EXPECT_THAT(fault("<sdf version=\"1.7\"><world"), HasSubstr("w.sdf:1: not valid XML: "));
+  EXPECT_THAT(fault("<sdf version=\"1.7\"></sdf>"), HasSubstr("w.sdf: "));
+  EXPECT_THAT(fault("<html/>"), HasSubstr("w.sdf:1: expected <sdf>, not <html>"));
+  EXPECT_THAT(fault(world(model(shape("<mesh><uri>model://no/such.dae</uri></mesh>")))),
+              HasSubstr("w.sdf:4: no mesh 'model://no/such.dae'"));
+  EXPECT_THAT(fault(world("<include><uri>model://no_such</uri></include>")), HasSubstr("w.sdf:4: no model 'model://no_such'"));
+  EXPECT_THAT(fault(world("<include><uri>https://example.org/crate</uri></include>")), HasSubstr("w.sdf:4: "));
+  EXPECT_THAT(fault(world(model(shape("<box><size>1 -2 3</size></box>")))), HasSubstr("w.sdf:4: the size of a box must be greater than 0"));
+  EXPECT_THAT(fault(world(model(shape("<sphere><radius>0</radius></sphere>")))), HasSubstr("w.sdf:4: the radius of a sphere"));
+  EXPECT_NE(fault(world(model(shape("<box><size>a b c</size></box>")))), "");
+  EXPECT_NE(fault(world(model(shape("<box><size>nan 1 1</size></box>")))), "");
+  EXPECT_NE(fault(world(model(shape(kBox, "0 0 nan 0 0 0")))), "");
+  write(folder, "t.obj", kTetrahedron);
+  EXPECT_THAT(fault(world(model(shape("<mesh><uri>t.obj</uri><scale>1 0 1</scale></mesh>")))),
+              HasSubstr("the scale of a mesh must have no zero"));
+  write(folder, "bad.obj", "nothing");
+  EXPECT_THAT(fault(world(model(shape("<mesh><uri>bad.obj</uri></mesh>")))), HasSubstr("bad.obj: "));
+}
+
+TEST(SdfWorld, IncludesModelsThatIncludeModels) {
+  const TemporaryFolder folder;
+  write(folder, "models/outer_crate/model.sdf",
+        "<sdf version=\"1.7\"><model name=\"outer\"><include><uri>model://inner_crate</uri></include></model></sdf>");
+  write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">" + model(shape(kBox)) + "</sdf>");
+  const auto file = write(folder, "w.sdf", world("<include><uri>model://outer_crate</uri></include>"));
+  EXPECT_EQ(read_world(file).meshes.at(0).name, "outer::m::l::c");
+  write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">\n" + model(shape("<mesh><uri>no.dae</uri></mesh>")) + "</sdf>");
+  EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("model.sdf:2: no mesh 'no.dae'"));
+  write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">\n<model");
+  EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("model.sdf:2: not valid XML: "));
+}
+
+TEST(SdfWorld, RefusesAModelThatIncludesItself) {
+  const TemporaryFolder folder;
+  write(folder, "models/outer_crate/model.sdf",
+        "<sdf version=\"1.7\"><model name=\"outer\"><include><uri>model://inner_crate</uri></include></model></sdf>");
+  write(folder, "models/inner_crate/model.sdf",
+        "<sdf version=\"1.7\"><model name=\"inner\">\n<include><uri>model://outer_crate</uri></include></model></sdf>");
+  EXPECT_EQ(fault_of([&] { read_world(write(folder, "w.sdf", world("<include><uri>model://outer_crate</uri></include>"))); }),
+            "model.sdf:2: 'model://outer_crate' includes itself");
+}
+
+TEST(Site, IsAWorldOrAMesh) {
+  const TemporaryFolder folder;
+  EXPECT_EQ(read_site(write(folder, "w.sdf", world(model(shape(kBox))))).meshes.size(), 1u);
+  EXPECT_EQ(read_site(write(folder, "t.obj", kTetrahedron)).meshes.size(), 1u);
+}
+
+TEST(SdfWorld, ReadsTheSmallWarehouse) {
+  ALIGNABILITY_REQUIRE_SHARED_DATA(folder, "worlds/aws-small-warehouse/worlds");
+  for (const SdfGeometry geometry : {SdfGeometry::collision, SdfGeometry::visual}) {
+    const World roofed = read_world(folder / "small_warehouse.world", {.model_paths = {}, .geometry = geometry});
+    const World open = read_world(folder / "no_roof_small_warehouse.world", {.model_paths = {}, .geometry = geometry});
+    EXPECT_EQ(roofed.meshes.size(), 26u);
+    EXPECT_EQ(open.meshes.size(), 25u);
+    EXPECT_THAT(roofed.warnings, IsEmpty());
+    EXPECT_LT((box_of(roofed).sizes() - Eigen::Vector3f(14.0f, 20.92f, 10.21f)).norm(), 0.05f);
+    const Scene scene(roofed.meshes);
+    EXPECT_TRUE(scene.is_free({0.5f, 0.3f, 1.5f}, 0.3f));
+    // The visual walls are open sheets, the collision walls are solid.
+    EXPECT_EQ(scene.is_free({-6.92f, 9, 4}, 0.0f), geometry == SdfGeometry::visual);
+    EXPECT_TRUE(scene.is_free({0, 0, 12}, 0.3f));
+  }
+}
+
+}  // namespace
+}  // namespace alignability
