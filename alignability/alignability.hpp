@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <string>
+
+#include "alignability/plane_segmentation.hpp"
+#include "lidar/scan.hpp"
+
+namespace alignability {
+
+/// About which point the second moment of the normals is taken.
+enum class Moment {
+  about_origin,  ///< signs of normals do not matter: what mirroring every normal gives (Nobili et al.)
+  about_mean,    ///< the textbook PCA, normals turned to the sensor
+};
+
+/// What counts as a plane, and how planes become α: Castellano-Quero et al., §III.
+struct AlignabilityOptions {
+  SegmentationOptions segmentation;
+  double plane_threshold = 0.05;  ///< p_th: a segment is a plane when λ_s/λ_l of its points is below
+  double min_area = 0.01;         ///< s_th [m²]: a plane is kept when its bounding box is larger
+  Moment moment = Moment::about_origin;
+};
+
+/// How well a scan constrains alignment.
+struct Alignability {
+  double alpha = 0.0;                                           ///< λ_c/λ_a in [0,1] (Eq. 1); 0 when no plane is kept
+  Eigen::Vector3d eigenvalues = Eigen::Vector3d::Zero();        ///< of the normals' second moment, a >= b >= c
+  Eigen::Vector3d weakest_direction = Eigen::Vector3d::Zero();  ///< unit, `lidar` frame, sign arbitrary; 0 when no plane is kept
+  int planes_found = 0;
+  int planes_kept = 0;
+  std::size_t points = 0;  ///< those that were not dropped
+};
+
+/// A scan's alignability and how it came about.
+struct ScoredScan {
+  Alignability alignability;
+  /// For each point of the scan the kept plane it belongs to, counted from 0; -1 = none.
+  std::vector<int> plane_of_point;
+};
+
+/// Safe to call from many threads. Never throws for the content of a scan: one without planes scores 0.
+ScoredScan score(const Scan& scan, const AlignabilityOptions& options);
+
+/// The options as YAML text, defaults written out.
+std::string to_yaml(const AlignabilityOptions& options);
+
+}  // namespace alignability

@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "alignability/alignability.hpp"
+#include "alignability/cell_samples.hpp"
+#include "core/progress.hpp"
+#include "costmap/alignability_map.hpp"
+#include "lidar/lidar_model.hpp"
+#include "lidar/scene.hpp"
+
+namespace alignability {
+
+struct MapOptions {
+  double resolution = 1.0;          ///< side of an α-cell [m], at least that of the occupancy map
+  int samples = 10;                 ///< scans a cell, >= 1
+  std::optional<double> range_max;  ///< [m] crops the sensor's own range
+  double floor = 0.0;               ///< z of `base_link` in `map` [m]
+  std::uint64_t seed = 1;
+  EvaluationRule rule;
+  AlignabilityOptions alignability;
+  /// Evaluates these alone where given; the others stay NaN.
+  std::optional<std::vector<Cell>> cells;
+  int threads = 0;  ///< 0: one a processor
+  ProgressCallback progress = {};
+  std::stop_token stop = {};
+};
+
+/// The alignability map of a site (Castellano-Quero et al., Eq. 2): α of a cell is the median over scans simulated at places stratified
+/// over its free part, `base_link` at yaw 0, range noise on. A place where the sensor would be in or within 10 cm of a surface is
+/// drawn anew, and given up after 20 draws. Layers alpha, samples, iqr, weak_x, weak_y, weak_z.
+/// The same bytes for any number of threads. Throws std::invalid_argument for options out of range, Interrupted.
+AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+                                       const MapOptions& options);
+
+/// The grid of α-cells over an occupancy map: the same lower left corner, and as many cells as hold it.
+GridGeometry alignability_geometry(const GridGeometry& occupancy, double resolution);
+
+}  // namespace alignability
