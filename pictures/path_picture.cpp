@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "pictures/path_picture.hpp"
+
+#include "core/range.hpp"
+#include "pictures/axes.hpp"
+#include "pictures/legend.hpp"
+#include "pictures/map_layers.hpp"
+#include "pictures/map_layout.hpp"
+#include "pictures/path_layer.hpp"
+#include "pictures/profile_panel.hpp"
+#include "pictures/text.hpp"
+
+namespace alignability {
+namespace {
+
+using namespace detail;
+
+constexpr double kPanelGap = 34.0;
+
+void draw_key_label(const Context& context, const MapLayout& layout, const Eigen::Vector2d& line, const std::string& label) {
+  const Eigen::Vector2d at = line + Eigen::Vector2d(kSampleLength + 14.0, 0.0);
+  draw_text(context, label, at, {.anchor = {0.0, 0.5}, .widest = layout.width - kMargin - at.x()});
+}
+
+void draw_key(const Context& context, const MapLayout& layout, std::span<const DrawnPath> paths, const PathPictureOptions& options) {
+  for (std::size_t i = 0; i < paths.size(); ++i) {
+    const Eigen::Vector2d line = key_line(layout, options.title, i);
+    draw_path_sample(context, line, paths[i]);
+    draw_key_label(context, layout, line, paths[i].label);
+  }
+  const std::string unknown = options.risk.unknown == UnknownPolicy::risky ? " or unknown" : "";
+  const Eigen::Vector2d last = key_line(layout, options.title, paths.size());
+  draw_blind_sample(context, last);
+  draw_key_label(context, layout, last, "blind: α below " + to_text(options.risk.alpha_critical) + unknown);
+}
+
+}  // namespace
+
+void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
+                const PathPictureOptions& options, const std::filesystem::path& png) {
+  const std::size_t key_lines = paths.empty() ? 0 : paths.size() + 1;
+  const MapLayout layout = lay_out(view_of(map, occupancy), options.title, key_lines);
+  const Rectangle& frame = layout.view.frame;
+  const Rectangle panel{frame.left, layout.bottom + kPanelGap, frame.width, profile_height(paths.size())};
+  const double bottom = paths.empty() ? layout.bottom : panel.bottom() + kBelowFrame;
+  const Page page(layout.width, bottom + kMargin);
+  const Context& context = page.context();
+
+  draw_title(context, layout, options.title);
+  if (!paths.empty()) draw_key(context, layout, paths, options);
+  draw_map(context, layout.view, map, occupancy, Tone::pale);
+  draw_path_layer(context, layout.view, paths, options);
+  draw_axes(context, layout.view, kMapAxes);
+  draw_scale_bar(context, layout.view);
+  draw_map_legend(context, layout.legend, options.risk, Tone::pale);
+  if (!paths.empty()) draw_profiles(context, panel, paths, options.risk);
+  page.save(png);
+}
+
+}  // namespace alignability
