@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace alignability::cli {
+
+/// What the program says when it ends.
+enum ExitCode { kYes = 0, kNo = 1, kBadInput = 2, kInterrupted = 130 };
+
+/// The work of the command that was asked for; set by its callback, run by main.
+using Work = std::function<int()>;
+
+// Each adds a subcommand with its options and examples; the command sets `work` when it is chosen.
+void add_occupancy(CLI::App& app, Work& work);
+void add_scan(CLI::App& app, Work& work);
+void add_score(CLI::App& app, Work& work);
+void add_map(CLI::App& app, Work& work);
+void add_plan(CLI::App& app, Work& work);
+void add_compare(CLI::App& app, Work& work);
+
+}  // namespace alignability::cli

@@ -1,0 +1,118 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/json.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <iostream>
+
+namespace alignability::cli {
+namespace {
+
+Json number(double value) { return std::isfinite(value) ? Json(value) : Json(nullptr); }
+
+Json number(const std::optional<double>& value) { return value ? number(*value) : Json(nullptr); }
+
+Json vector(const Eigen::Vector3d& value) { return {number(value.x()), number(value.y()), number(value.z())}; }
+
+Json pose(const Pose2& value) { return {number(value.x), number(value.y), number(value.yaw)}; }
+
+Json ratio(double value, double reference) { return reference > 0.0 ? number(value / reference) : Json(nullptr); }
+
+Json options_json(const PlanQuery& query) {
+  const char* const policy = query.risk.unknown == UnknownPolicy::risky     ? "risky"
+                             : query.risk.unknown == UnknownPolicy::neutral ? "neutral"
+                                                                            : "blocked";
+  Json planner{{"name", query.planner.name}};
+  if (query.planner.iterations) {
+    planner["iterations"] = *query.planner.iterations;
+  } else {
+    planner["time"] = query.planner.time;
+  }
+  return {{"robot", {{"radius", query.robot.radius}}},
+          {"motion", {{"space", query.motion.space == MotionSpace::r2 ? "r2" : "se2"}, {"turn_cost", query.motion.turn_cost}}},
+          {"start", pose(query.start)},
+          {"goal", pose(query.goal)},
+          {"goal_tolerance", {{"position", query.goal_tolerance.position}, {"heading_deg", degrees(query.goal_tolerance.heading)}}},
+          {"risk", {{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}}},
+          {"planner", planner}};
+}
+
+}  // namespace
+
+Json score_json(const std::filesystem::path& file, const Alignability& score, double seconds) {
+  const bool has_planes = score.planes_kept > 0;
+  return {{"file", file.string()},
+          {"points", score.points},
+          {"alpha", score.alpha},
+          {"eigenvalues", vector(score.eigenvalues)},
+          {"weakest_direction", has_planes ? vector(score.weakest_direction) : Json(nullptr)},
+          {"planes_found", score.planes_found},
+          {"planes_kept", score.planes_kept},
+          {"engine", "pcl"},
+          {"seconds", seconds}};
+}
+
+Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files) {
+  std::vector<double> alphas;
+  double scans = 0.0;
+  const Grid<float>* samples = map.find_layer("samples");
+  for (std::size_t i = 0; i < map.geometry.size(); ++i) {
+    if (!std::isnan(map.alpha()[i])) alphas.push_back(map.alpha()[i]);
+    if (samples != nullptr && !std::isnan((*samples)[i])) scans += (*samples)[i];
+  }
+  std::ranges::sort(alphas);
+  const auto at = [&](double share) {
+    return alphas.empty() ? Json(nullptr) : Json(alphas[static_cast<std::size_t>(share * static_cast<double>(alphas.size() - 1))]);
+  };
+  Json names = Json::array();
+  for (const std::filesystem::path& file : files) names.push_back(file.string());
+  return {{"cells", map.geometry.size()},
+          {"cells_evaluated", alphas.size()},
+          {"scans", static_cast<std::uint64_t>(scans)},
+          {"alpha", {{"min", at(0.0)}, {"median", at(0.5)}, {"max", at(1.0)}}},
+          {"seconds", seconds},
+          {"files", names}};
+}
+
+Json plan_json(const PlanResult& result) {
+  const bool solved = result.status == PlanStatus::solved;
+  const auto figure = [&](double value) { return solved ? number(value) : Json(nullptr); };
+  Json path = Json::array();
+  for (const Pose2& at : result.path) path.push_back(pose(at));
+  return {{"status", to_string(result.status)},
+          {"planner", result.query.planner.name},
+          {"seed", result.query.planner.seed},
+          {"weight", result.query.weight},
+          {"options", options_json(result.query)},
+          {"cost", figure(result.cost)},
+          {"length", figure(result.figures.length)},
+          {"risk_integral", figure(result.figures.risk_integral)},
+          {"blind_length", figure(result.figures.blind_length)},
+          {"longest_blind", figure(result.figures.longest_blind)},
+          {"alpha_mean", figure(result.figures.alpha_mean)},
+          {"alpha_min", figure(result.figures.alpha_min)},
+          {"seconds", result.seconds},
+          {"first_solution_seconds", number(result.first_solution_seconds)},
+          {"path", path}};
+}
+
+Json compare_json(const Comparison& comparison) {
+  const PathFigures& shortest = comparison.shortest.figures;
+  const PathFigures& risk_aware = comparison.risk_aware.figures;
+  return {{"shortest", plan_json(comparison.shortest)},
+          {"risk_aware", plan_json(comparison.risk_aware)},
+          {"ratio",
+           {{"length", ratio(risk_aware.length, shortest.length)},
+            {"blind_length", ratio(risk_aware.blind_length, shortest.blind_length)},
+            {"risk_integral", ratio(risk_aware.risk_integral, shortest.risk_integral)}}}};
+}
+
+void print(const std::vector<Json>& objects) {
+  if (objects.size() == 1) {
+    std::cout << objects.front().dump(2) << '\n';
+  } else {
+    std::cout << Json(objects).dump(2) << '\n';
+  }
+}
+
+}  // namespace alignability::cli

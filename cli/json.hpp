@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "alignability/alignability.hpp"
+#include "costmap/alignability_map.hpp"
+#include "planner/compare.hpp"
+
+namespace alignability::cli {
+
+// The objects of `--json`: metres and seconds, null where there is no value.
+using Json = nlohmann::ordered_json;
+
+Json score_json(const std::filesystem::path& file, const Alignability& score, double seconds);
+Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
+Json plan_json(const PlanResult& result);
+Json compare_json(const Comparison& comparison);
+
+/// One object a line of output, or an array of them for several.
+void print(const std::vector<Json>& objects);
+
+}  // namespace alignability::cli

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
+#include <exception>
+#include <iostream>
+#include <new>
+#include <vector>
+
+#include "cli/command.hpp"
+#include "cli/ompl_log.hpp"
+#include "core/input_error.hpp"
+#include "core/progress.hpp"
+
+namespace {
+
+using namespace alignability;
+using namespace alignability::cli;
+
+std::vector<std::string> command_names(const CLI::App& app) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  return names;
+}
+
+std::vector<std::string> option_names(const CLI::App& command) {
+  std::vector<std::string> names;
+  for (const CLI::Option* option : command.get_options()) {
+    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+  }
+  return names;
+}
+
+// " (did you mean …?)" for the first word that is no option of the command.
+std::string hint(const CLI::App& command, const std::vector<std::string>& words) {
+  const std::vector<std::string> names = option_names(command);
+  for (const std::string& word : words) {
+    const std::string name = word.substr(0, word.find('='));
+    if (name.starts_with("--") && std::ranges::find(names, name) == names.end()) return did_you_mean(name, names);
+  }
+  return {};
+}
+
+// What CLI11 says of a wrong command line, and the command or option that was meant.
+int report(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error) == 0 ? kYes : kBadInput;
+  const std::vector<CLI::App*> chosen = app.get_subcommands();
+  if (chosen.empty() && !words.empty() && !words.front().starts_with("-")) {
+    std::cerr << "alignability: unknown command '" << words.front() << '\'' << did_you_mean(words.front(), command_names(app));
+  } else {
+    std::cerr << "alignability: " << error.what() << (chosen.empty() ? "" : hint(*chosen.front(), words));
+  }
+  std::cerr << "\nRun with --help for more information.\n";
+  return kBadInput;
+}
+
+int run(const Work& work) {
+  try {
+    return work();
+  } catch (const Interrupted&) {
+    std::cerr << "\nalignability: interrupted; no file was changed\n";
+    return kInterrupted;
+  } catch (const InputError& error) {
+    std::cerr << error.what() << '\n';
+  } catch (const std::bad_alloc&) {
+    std::cerr << "alignability: out of memory\n";
+  } catch (const std::exception& error) {
+    std::cerr << "alignability: " << error.what() << '\n';
+  }
+  return kBadInput;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app("How well a lidar scan constrains alignment: maps of it, and paths on which a robot stays localized.", "alignability");
+  app.set_version_flag("--version", ALIGNABILITY_VERSION);
+  app.require_subcommand(1);
+  app.get_formatter()->column_width(34);
+  Work work;
+  add_occupancy(app, work);
+  add_scan(app, work);
+  add_score(app, work);
+  add_map(app, work);
+  add_plan(app, work);
+  add_compare(app, work);
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return report(app, error, {argv + 1, argv + argc});
+  }
+  const OmplLog ompl_log;
+  return run(work);
+}

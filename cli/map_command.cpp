@@ -1,0 +1,105 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+
+#include "alignability/build_map.hpp"
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/output_name.hpp"
+#include "cli/progress_bar.hpp"
+#include "cli/scene_options.hpp"
+#include "costmap/map_server.hpp"
+#include "pictures/alignability_picture.hpp"
+
+namespace alignability::cli {
+namespace {
+
+struct Options {
+  std::filesystem::path scene;
+  WorldOptions reading;
+  std::filesystem::path occupancy;
+  std::filesystem::path sensor;
+  MapOptions map;
+  bool centred = false;
+  bool json = false;
+  std::filesystem::path output;
+};
+
+std::string provenance(const Options& options) {
+  return "scene: " + options.scene.filename().string() + "\noccupancy: " + options.occupancy.filename().string() +
+         "\nsensor: " + options.sensor.filename().string() + "\nmade_by: alignability " ALIGNABILITY_VERSION "\n";
+}
+
+void print_summary(const Json& summary) {
+  const Json& alpha = summary["alpha"];
+  const double seconds = summary["seconds"];
+  std::cout << summary["cells_evaluated"] << " of " << summary["cells"] << " cells from " << summary["scans"] << " scans in "
+            << duration_text(seconds) << '\n';
+  if (!alpha["min"].is_null()) {
+    std::printf("alpha: min %.3f, median %.3f, max %.3f\n", alpha["min"].get<double>(), alpha["median"].get<double>(),
+                alpha["max"].get<double>());
+    std::fflush(stdout);
+  }
+  for (const Json& file : summary["files"]) std::cout << "wrote " << file.get<std::string>() << '\n';
+}
+
+int run(Options options) {
+  const Interrupt interrupt;
+  const auto begin = std::chrono::steady_clock::now();
+  const LidarModel lidar = read_lidar_model(options.sensor);
+  const OccupancyMap occupancy = read_occupancy_map(options.occupancy);
+  const Scene scene(read_meshes(options.scene, options.reading));
+  if (options.centred) options.map.alignability.moment = Moment::about_mean;
+  options.map.alignability.segmentation.range_min = lidar.range_min;
+  options.map.stop = interrupt.token();
+  AlignabilityMap map;
+  {
+    ProgressBar bar("alignability map");
+    options.map.progress = bar.callback();
+    map = build_alignability_map(scene, occupancy, lidar, options.map);
+  }
+  map.provenance = provenance(options);
+  const std::filesystem::path name = output_name(options.output);
+  draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, with_ending(name, ".png"));
+  write_alignability_map(map, name);
+  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const Json summary = map_json(map, seconds, {with_ending(name, ".yaml"), with_ending(name, ".tiff"), with_ending(name, ".png")});
+  if (options.json) {
+    print({summary});
+  } else {
+    print_summary(summary);
+  }
+  return kYes;
+}
+
+}  // namespace
+
+void add_map(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("map", "Build the alignability map of a site");
+  command->add_option("--scene", options->scene, "SDF world or model, or a mesh")->required();
+  command->add_option("--occupancy", options->occupancy, "Occupancy map (map_server YAML)")->required();
+  command->add_option("--sensor", options->sensor, "Sensor file")->required();
+  command->add_option("--resolution", options->map.resolution, "Side of a cell [m]")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("--samples", options->map.samples, "Scans a cell")->check(CLI::Range(1, 100000))->capture_default_str();
+  command->add_option("--range-max", options->map.range_max, "Crop the sensor's range [m]")->check(CLI::PositiveNumber);
+  command->add_option("--floor", options->map.floor, "Height of base_link in map [m]")->capture_default_str();
+  command->add_option("--seed", options->map.seed, "Seed of places and range noise")->capture_default_str();
+  command->add_option("--threads", options->map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
+  command->add_option("--engine", "The engine that scores")->check(CLI::IsMember({"pcl"}))->default_str("pcl");
+  command->add_flag("--centred", options->centred, "Subtract the normals' mean (the textbook PCA)");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml, NAME.tiff and NAME.png")->required();
+  add_world_options(*command, options->reading);
+  command->footer(
+      "Examples:\n"
+      "  alignability map --scene maps/warehouse/warehouse.sdf --occupancy maps/warehouse/occupancy.yaml \\\n"
+      "    --sensor maps/sensors/hdl32e.yaml --range-max 6.5 --samples 1 -o warehouse\n"
+      "  alignability map --scene office.dae --occupancy office.yaml --sensor maps/sensors/os1-64.yaml --seed 7 -o office");
+  command->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace alignability::cli

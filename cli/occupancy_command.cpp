@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/output_name.hpp"
+#include "cli/scene_options.hpp"
+#include "core/input_error.hpp"
+#include "costmap/map_server.hpp"
+#include "lidar/slice.hpp"
+
+namespace alignability::cli {
+namespace {
+
+struct Options {
+  std::filesystem::path world;
+  WorldOptions reading;
+  double z_min = 0.0;
+  double z_max = 0.0;
+  double resolution = 0.1;
+  std::filesystem::path output;
+};
+
+int run(const Options& options) {
+  if (options.z_min >= options.z_max) throw std::invalid_argument("--z-min must be less than --z-max");
+  const Slice band = slice(read_meshes(options.world, options.reading), options.z_min, options.z_max);
+  if (band.surfaces.empty()) throw InputError(options.world, "has nothing between --z-min and --z-max");
+  const GridGeometry geometry = geometry_around(band, options.resolution);
+  const OccupancyMap map = rasterize(band, geometry);
+  std::size_t free = 0;
+  std::size_t unknown = 0;
+  for (std::size_t i = 0; i < geometry.size(); ++i) {
+    if (map.is_free(i)) ++free;
+    if (!map.occupancy(geometry.cell_of(i))) ++unknown;
+  }
+  const std::filesystem::path name = output_name(options.output);
+  write_occupancy_map(map, name);
+  std::cout << name.string() << ".yaml: " << geometry.width << " x " << geometry.height << " cells of " << geometry.resolution << " m, "
+            << free << " free, " << geometry.size() - free - unknown << " occupied, " << unknown << " unknown\n";
+  return kYes;
+}
+
+}  // namespace
+
+void add_occupancy(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("occupancy", "Slice a world into an occupancy map for map_server");
+  command->add_option("world", options->world, "SDF world or model, or a mesh")->required();
+  command->add_option("--z-min", options->z_min, "Bottom of the slice [m]: what is lower is floor")->required();
+  command->add_option("--z-max", options->z_max, "Top of the slice [m]: what is higher is passed under")->required();
+  command->add_option("--resolution", options->resolution, "Side of a cell [m]")->check(CLI::PositiveNumber)->capture_default_str();
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml and NAME.pgm")->required();
+  add_world_options(*command, options->reading);
+  command->footer(
+      "Examples:\n"
+      "  alignability occupancy maps/warehouse/warehouse.sdf --z-min 0.1 --z-max 2 -o occupancy\n"
+      "  alignability occupancy office.dae --z-min 0.2 --z-max 1.5 --resolution 0.05 -o office");
+  command->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace alignability::cli

@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+
+namespace alignability::cli {
+
+/// The NAME of `-o NAME`: an extension that this program writes is dropped, any other dot stays part of the name.
+std::filesystem::path output_name(const std::filesystem::path& given);
+
+/// NAME with something put after it, dots in NAME untouched.
+std::filesystem::path with_ending(const std::filesystem::path& name, const std::string& ending);
+
+}  // namespace alignability::cli

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/path_output.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "core/file.hpp"
+#include "core/range.hpp"
+#include "planner/path_figures.hpp"
+
+namespace alignability::cli {
+namespace {
+
+constexpr double kStep = 0.1;
+
+}  // namespace
+
+void write_path_csv(const PlanResult& result, const RiskField& risk, const std::filesystem::path& csv) {
+  std::string text = "x,y,yaw,s,alpha,risk\n";
+  for (const PathSample& at : sample(result.path, risk, kStep)) {
+    const std::string alpha = std::isnan(at.alpha) ? "" : to_text(at.alpha);
+    text += to_text(at.pose.x) + ',' + to_text(at.pose.y) + ',' + to_text(at.pose.yaw) + ',' + to_text(at.s) + ',' + alpha + ',' +
+            to_text(at.risk) + '\n';
+  }
+  write_file(csv, text);
+}
+
+DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::string& name, Colour colour, LineStyle style) {
+  char figures[64];
+  std::snprintf(figures, sizeof figures, ": %.1f m, %.1f m blind", result.figures.length, result.figures.blind_length);
+  DrawnPath path{.label = name + figures, .poses = result.path, .profile = {}, .colour = colour, .style = style};
+  for (const PathSample& at : sample(result.path, risk, kStep)) path.profile.push_back({at.s, at.alpha});
+  return path;
+}
+
+PathPictureOptions picture_options(const PlanQuery& query, const std::string& title) {
+  return {.title = title, .risk = query.risk, .start = query.start, .goal = query.goal, .robot_radius = query.robot.radius};
+}
+
+std::string explanation(const PlanResult& result) {
+  switch (result.status) {
+    case PlanStatus::solved:
+      return "solved";
+    case PlanStatus::no_path:
+      return "there is no path: the goal is walled off";
+    case PlanStatus::timeout:
+      return "no path was found in the time given; try a longer --time or another --planner";
+    case PlanStatus::infeasible:
+      return "no path keeps the limits";
+    case PlanStatus::start_in_collision:
+      return "the robot collides at the start";
+    case PlanStatus::goal_in_collision:
+      return "the robot collides at the goal";
+    case PlanStatus::start_outside_map:
+      return "the start lies off the map";
+    case PlanStatus::goal_outside_map:
+      return "the goal lies off the map";
+    case PlanStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+}  // namespace alignability::cli

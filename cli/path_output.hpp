@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "pictures/path_picture.hpp"
+#include "planner/plan.hpp"
+
+namespace alignability::cli {
+
+/// x,y,yaw,s,alpha,risk: the path's own poses and others between, at most 10 cm apart.
+void write_path_csv(const PlanResult& result, const RiskField& risk, const std::filesystem::path& csv);
+
+/// The path as a picture shows it, its figures in the label.
+DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::string& name, Colour colour, LineStyle style);
+
+PathPictureOptions picture_options(const PlanQuery& query, const std::string& title);
+
+/// Why there is no path, in a sentence.
+std::string explanation(const PlanResult& result);
+
+}  // namespace alignability::cli

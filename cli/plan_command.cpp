@@ -1,0 +1,73 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <cstdio>
+#include <iostream>
+
+#include "cli/command.hpp"
+#include "cli/interrupt.hpp"
+#include "cli/json.hpp"
+#include "cli/output_name.hpp"
+#include "cli/path_output.hpp"
+#include "cli/problem_options.hpp"
+#include "core/file.hpp"
+#include "core/progress.hpp"
+
+namespace alignability::cli {
+namespace {
+
+struct Options {
+  ProblemOptions problem;
+  bool json = false;
+  std::optional<std::filesystem::path> output;
+};
+
+void write_files(const PlanProblem& problem, const PlanResult& result, const std::filesystem::path& name) {
+  if (result.status == PlanStatus::solved) {
+    const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
+    const DrawnPath path = drawn(result, risk, result.query.planner.name, kRiskAwareColour, LineStyle::solid);
+    write_path_csv(result, risk, with_ending(name, ".csv"));
+    draw_paths(problem.alignability, problem.occupancy, {&path, 1}, picture_options(problem.query, name.filename().string()),
+               with_ending(name, ".png"));
+  }
+  write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
+}
+
+void print_figures(const PlanResult& result) {
+  const PathFigures& figures = result.figures;
+  std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
+  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n%-20s %9.2f m\n", "cost", result.cost, "length", figures.length, "risk integral",
+              figures.risk_integral);
+  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "blind", figures.blind_length, "longest blind", figures.longest_blind);
+  std::printf("%-20s %9.3f\n%-20s %9.3f\n", "alpha, mean", figures.alpha_mean, "alpha, least", figures.alpha_min);
+}
+
+int run(const Options& options) {
+  const Interrupt interrupt;
+  const PlanProblem problem = load(options.problem);
+  const PlanResult result = plan(problem, {.stop = interrupt.token()});
+  if (result.status == PlanStatus::interrupted) throw Interrupted();
+  if (options.output) write_files(problem, result, output_name(*options.output));
+  if (options.json) print({plan_json(result)});
+  if (result.status != PlanStatus::solved) {
+    std::cerr << options.problem.file.string() << ": " << explanation(result) << '\n';
+    return kNo;
+  }
+  if (!options.json) print_figures(result);
+  return kYes;
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("plan", "Plan a path on which the robot stays localized");
+  add_problem_options(*command, options->problem);
+  command->add_flag("--json", options->json, "Print JSON");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
+  command->footer(
+      "Examples:\n"
+      "  alignability plan maps/warehouse/problem.yaml -o route\n"
+      "  alignability plan maps/warehouse/problem.yaml --planner prmstar --time 10 --weight 2 --json");
+  command->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace alignability::cli

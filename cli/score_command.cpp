@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include <chrono>
+#include <cstdio>
+#include <iostream>
+
+#include "alignability/alignability.hpp"
+#include "cli/command.hpp"
+#include "cli/json.hpp"
+#include "core/input_error.hpp"
+#include "lidar/lidar_model.hpp"
+#include "lidar/scan_file.hpp"
+#include "pictures/scan_picture.hpp"
+
+namespace alignability::cli {
+namespace {
+
+struct Options {
+  std::vector<std::filesystem::path> scans;
+  std::optional<std::filesystem::path> sensor;
+  std::optional<std::filesystem::path> picture;
+  AlignabilityOptions alignability;
+  bool centred = false;
+  bool json = false;
+};
+
+std::string fixed(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4f", value);
+  return text;
+}
+
+void draw(const Scan& scan, const ScoredScan& scored, const std::filesystem::path& file, const std::filesystem::path& png) {
+  const Alignability& result = scored.alignability;
+  ScanPictureOptions picture;
+  picture.title = file.filename().string();
+  picture.lines = {"α = " + fixed(result.alpha),
+                   std::to_string(result.planes_kept) + " planes of " + std::to_string(result.points) + " points"};
+  if (result.planes_kept > 0) picture.weakest_direction = result.weakest_direction;
+  draw_scan(scan.points, scored.plane_of_point, picture, png);
+}
+
+void print_row(const std::filesystem::path& file, const Alignability& score, double seconds) {
+  const Eigen::Vector3d& weakest = score.weakest_direction;
+  std::printf("%-28s %8zu %7.4f %7d %6d   (%5.2f, %5.2f, %5.2f) %8.2f\n", file.filename().c_str(), score.points, score.alpha,
+              score.planes_found, score.planes_kept, weakest.x(), weakest.y(), weakest.z(), seconds);
+}
+
+void print_header() {
+  std::printf("%-28s %8s %7s %7s %6s   %-22s %7s\n", "scan", "points", "alpha", "planes", "kept", "weakest direction", "seconds");
+}
+
+int run(Options options) {
+  if (options.picture && options.scans.size() > 1) throw std::invalid_argument("--picture draws one scan; give one");
+  if (options.centred) options.alignability.moment = Moment::about_mean;
+  if (options.sensor) options.alignability.segmentation.range_min = read_lidar_model(*options.sensor).range_min;
+  std::vector<Json> objects;
+  for (const std::filesystem::path& file : options.scans) {
+    const Scan scan = read_scan_file(file);
+    const auto begin = std::chrono::steady_clock::now();
+    const ScoredScan scored = score(scan, options.alignability);
+    const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+    if (options.picture) draw(scan, scored, file, *options.picture);
+    if (options.json) {
+      objects.push_back(score_json(file, scored.alignability, seconds));
+    } else {
+      if (&file == &options.scans.front()) print_header();
+      print_row(file, scored.alignability, seconds);
+    }
+  }
+  if (options.json) print(objects);
+  return kYes;
+}
+
+}  // namespace
+
+void add_score(CLI::App& app, Work& work) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
+  command->add_option("scans", options->scans, "PCD or PLY files")->required();
+  command->add_option("--sensor", options->sensor, "Sensor file, for its minimum range (0.5 m without)");
+  command->add_option("--engine", "The engine that scores")->check(CLI::IsMember({"pcl"}))->default_str("pcl");
+  command->add_flag("--centred", options->centred, "Subtract the normals' mean (the textbook PCA)");
+  command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a PNG");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer(
+      "Examples:\n"
+      "  alignability score scan.pcd --picture scan.png\n"
+      "  alignability score scans/*.pcd --json");
+  command->callback([options, &work] { work = [options] { return run(*options); }; });
+}
+
+}  // namespace alignability::cli
