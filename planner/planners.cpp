@@ -36,7 +36,9 @@ ob::PlannerPtr make_fmtstar(const PlannerChoice& choice, const ob::SpaceInformat
   return planner;
 }
 
-ob::PlannerPtr make_bitstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) { return std::make_shared<og::BITstar>(si, "kBITstar"); }
+ob::PlannerPtr make_bitstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
+  return std::make_shared<og::BITstar>(si, "kBITstar");
+}
 
 struct Offer {
   const char* name;
