@@ -44,7 +44,7 @@ TEST(Nav2Warehouse, EveryPlannerGetsFromOneEndToTheOther) {
   };
   problem.query.start = place(-22.0, -18.0);
   problem.query.goal = place(16.0, 20.0);
-  problem.query.planner.time = 5.0;
+  problem.query.planner.time = 15.0;
   for (const std::string& name : planner_names()) {
     for (const MotionSpace space : {MotionSpace::r2, MotionSpace::se2}) {
       SCOPED_TRACE(name + (space == MotionSpace::r2 ? " in R²" : " in SE(2)"));
