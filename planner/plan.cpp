@@ -26,9 +26,12 @@ namespace og = ompl::geometric;
 
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  explicit Stopwatch(double already = 0.0) : already_(already) {}
+
+  double seconds() const { return already_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
+  double already_;  // [s]
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -39,16 +42,6 @@ void seed_ompl(std::uint32_t seed) {
   ompl::RNG::setSeed(seed);
   ompl::msg::useOutputHandler(handler);
 }
-
-// What a query is planned with.
-struct Setup {
-  explicit Setup(const PlanProblem& problem)
-      : risk(std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk)),
-        area(std::make_shared<const ClearanceMap>(problem.occupancy), risk, problem.query.robot) {}
-
-  std::shared_ptr<const RiskField> risk;
-  DrivableArea area;
-};
 
 std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
   if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
@@ -83,14 +76,14 @@ ob::SpaceInformationPtr make_space_information(const PlanQuery& query, const Dri
   return si;
 }
 
-ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const Setup& setup, const ob::SpaceInformationPtr& si) {
+ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const PlanningFields& fields, const ob::SpaceInformationPtr& si) {
   const auto definition = std::make_shared<ob::ProblemDefinition>(si);
   ob::ScopedState<> start(si);
   set_pose(*si->getStateSpace(), query.start, start.get());
   definition->addStartState(start);
   definition->setGoal(std::make_shared<PoseGoal>(si, query.goal, query.goal_tolerance));
   definition->setOptimizationObjective(
-      std::make_shared<AlignabilityObjective>(si, setup.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
+      std::make_shared<AlignabilityObjective>(si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
   return definition;
 }
 
@@ -171,31 +164,41 @@ const char* to_string(PlanStatus status) {
   return "";
 }
 
-PlanResult plan(const PlanProblem& problem, const PlanOptions& options) {
+PlanningFields::PlanningFields(const PlanProblem& problem) {
   const Stopwatch watch;
+  risk = std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk);
+  clearance = std::make_shared<const ClearanceMap>(problem.occupancy);
+  seconds = watch.seconds();
+}
+
+PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options) {
+  const Stopwatch watch(fields.seconds);
   PlanResult result;
-  result.query = problem.query;
-  if (result.query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
-  const Setup setup(problem);
-  if (const auto refused = refusal(problem.query, setup.area)) {
+  result.query = query;
+  result.query.risk = fields.risk->options();
+  if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
+  const DrivableArea area(fields.clearance, fields.risk, query.robot);
+  if (const auto refused = refusal(query, area)) {
     result.status = *refused;
     result.seconds = watch.seconds();
     return result;
   }
-  seed_ompl(problem.query.planner.seed);
-  const auto si = make_space_information(problem.query, setup.area);
-  const auto definition = make_definition(problem.query, setup, si);
+  seed_ompl(query.planner.seed);
+  const auto si = make_space_information(query, area);
+  const auto definition = make_definition(query, fields, si);
   const auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
     result.status = PlanStatus::interrupted;
   } else if (path) {
     result.status = PlanStatus::solved;
-    result.path = poses_of(*path, problem.query);
+    result.path = poses_of(*path, query);
     result.cost = path->cost(definition->getOptimizationObjective()).value();
-    result.figures = measure(result.path, *setup.risk);
+    result.figures = measure(result.path, *fields.risk);
   }
   result.seconds = watch.seconds();
   return result;
 }
+
+PlanResult plan(const PlanProblem& problem, const PlanOptions& options) { return plan(problem.query, PlanningFields(problem), options); }
 
 }  // namespace alignability
