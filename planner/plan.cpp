@@ -5,12 +5,14 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <atomic>
 #include <chrono>
+#include <mutex>
+#include <stdexcept>
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
@@ -91,14 +93,23 @@ ob::PlannerTerminationCondition until(const PlannerChoice& choice, const std::st
   const ob::PlannerTerminationCondition stopped([stop] { return stop.stop_requested(); });
   if (choice.iterations && counts_its_own_iterations(choice.name)) return stopped;
   if (!choice.iterations) return ob::plannerOrTerminationCondition(stopped, ob::timedPlannerTerminationCondition(choice.time));
-  const auto counter = std::make_shared<ob::IterationTerminationCondition>(static_cast<unsigned int>(*choice.iterations));
-  return ob::PlannerTerminationCondition([stop, counter] { return stop.stop_requested() || counter->eval(); });
+  // OMPL's own counter is no atomic, and CForest and PRM ask from several threads.
+  const auto asked = std::make_shared<std::atomic<std::int64_t>>(0);
+  return ob::PlannerTerminationCondition(
+      [stop, asked, limit = *choice.iterations] { return stop.stop_requested() || asked->fetch_add(1) >= limit; });
 }
 
 // A path in R² has no heading of its own: the robot looks where it goes.
 void look_ahead(std::vector<Pose2>& path, const PlanQuery& query) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) path[i].yaw = std::atan2(path[i + 1].y - path[i].y, path[i + 1].x - path[i].x);
   path.back().yaw = path.size() > 1 ? path[path.size() - 2].yaw : query.start.yaw;
+}
+
+// CForest gives its path in a wrapper of the space.
+og::PathGeometric in_space(const ob::SpaceInformationPtr& si, og::PathGeometric& path) {
+  og::PathGeometric own(si);
+  for (const ob::State* state : path.getStates()) own.append(state);
+  return own;
 }
 
 std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& query) {
@@ -120,11 +131,16 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     result.first_solution_seconds = watch.seconds();
     return standing_path(*definition);
   }
+  const bool tells = reports_its_first_solution(query.planner.name);
+  std::mutex first_mutex;  // some planners search in several threads
   const auto note_first = [&] {
-    if (!result.first_solution_seconds) result.first_solution_seconds = watch.seconds();
+    const std::lock_guard lock(first_mutex);
+    if (!result.first_solution_seconds && tells) result.first_solution_seconds = watch.seconds();
   };
-  definition->setIntermediateSolutionCallback(
-      [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) { note_first(); });
+  if (tells) {
+    definition->setIntermediateSolutionCallback(
+        [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) { note_first(); });
+  }
   const ob::PlannerPtr planner = make_planner(query.planner, definition->getSpaceInformation());
   planner->setProblemDefinition(definition);
   planner->setup();
@@ -135,7 +151,7 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     return std::nullopt;
   }
   note_first();
-  return shortened(*definition->getSolutionPath()->as<og::PathGeometric>(), *definition);
+  return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
 }
 
 }  // namespace
@@ -177,6 +193,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   result.query = query;
   result.query.risk = fields.risk->options();
   if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
+  if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
   if (const auto refused = refusal(query, area)) {
     result.status = *refused;

@@ -39,7 +39,7 @@ struct PlanResult {
   double cost = 0.0;        ///< of that path [equivalent m]
   PathFigures figures;
   double seconds = 0.0;                          ///< the fields' construction included
-  std::optional<double> first_solution_seconds;  ///< likewise
+  std::optional<double> first_solution_seconds;  ///< likewise; nullopt without a solution, and of planners that do not tell
 };
 
 /// What all plans on one site and one reading of its risk share. O(cells) to build; immutable.
