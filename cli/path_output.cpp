@@ -60,7 +60,12 @@ DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::stri
 }
 
 PathPictureOptions picture_options(const PlanQuery& query, const std::string& title) {
-  return {.title = title, .risk = query.risk, .start = query.start, .goal = query.goal, .robot_radius = query.robot.radius};
+  return {.title = title,
+          .risk = query.risk,
+          .start = query.start,
+          .goal = query.goal,
+          .robot_radius = query.robot.radius,
+          .footprint = query.robot.footprint};
 }
 
 int say_no(const std::filesystem::path& problem_file, const PlanResult& result) {

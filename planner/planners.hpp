@@ -11,7 +11,8 @@
 
 namespace alignability {
 
-inline constexpr const char* kDefaultPlanner = "rrtstar";
+/// The one that finds the right way around obstacles soonest and repeats under iterations: docs/planners.md has the figures.
+inline constexpr const char* kDefaultPlanner = "bitstar";
 
 /// The names of OMPL's planners that are offered, each honouring the objective.
 std::vector<std::string> planner_names();

@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "core/file.hpp"
 #include "planner/plan.hpp"
 #include "planner/refused_planners.hpp"
 #include "tests/planner/collision_oracle.hpp"
@@ -144,6 +146,14 @@ TEST(Planners, RefuseThoseThatWouldLieWithTheReason) {
     EXPECT_THROW(plan(asked, {}), std::invalid_argument) << name;
   }
   EXPECT_NE(refusal_of_planner("informedrrtstar")->find("straight line"), std::string::npos);
+}
+
+TEST(Planners, AreAllInTheDocumentation) {
+  const std::string page = read_file(std::filesystem::path(ALIGNABILITY_SOURCE_DIR) / "docs/planners.md", 1u << 20);
+  const std::size_t refused = page.find("## Not offered");
+  ASSERT_NE(refused, std::string::npos);
+  for (const std::string& name : planner_names()) EXPECT_LT(page.find('`' + name + '`'), refused) << name;
+  for (const std::string& name : refused_planner_names()) EXPECT_NE(page.find('`' + name + '`', refused), std::string::npos) << name;
 }
 
 }  // namespace
