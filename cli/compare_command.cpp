@@ -1,70 +1,103 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <array>
-#include <cstdio>
+#include <set>
+#include <vector>
 
 #include "cli/command.hpp"
+#include "cli/compare_output.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/path_output.hpp"
 #include "cli/problem_options.hpp"
+#include "cli/progress_bar.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
+#include "planner/trade_off.hpp"
 
 namespace alignability::cli {
 namespace {
 
 struct Options {
   ProblemOptions problem;
+  std::vector<double> weights;
+  std::optional<std::size_t> pairs;
   bool json = false;
   std::optional<std::filesystem::path> output;
 };
 
-void write_files(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name) {
-  if (solved(comparison)) {
-    const std::array paths{drawn(comparison.risk_aware, risk, "risk-aware", kRiskAwareColour, LineStyle::solid),
-                           drawn(comparison.shortest, risk, "shortest", kShortestColour, LineStyle::dashed)};
-    write_path_csv(comparison.shortest, risk, with_ending(name, "_shortest.csv"));
-    write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
-    draw_paths(problem.alignability, problem.occupancy, paths, picture_options(problem.query, name.filename().string()),
-               with_ending(name, ".png"));
+void write_paths(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name) {
+  if (!solved(comparison)) return;
+  const std::array paths{drawn(comparison.risk_aware, risk, "risk-aware", kRiskAwareColour, LineStyle::solid),
+                         drawn(comparison.shortest, risk, "shortest", kShortestColour, LineStyle::dashed)};
+  write_path_csv(comparison.shortest, risk, with_ending(name, "_shortest.csv"));
+  write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
+  draw_paths(problem.alignability, problem.occupancy, paths, picture_options(problem.query, name.filename().string()),
+             with_ending(name, ".png"));
+}
+
+PlanOptions plan_options(const Interrupt& interrupt) { return {.stop = interrupt.token()}; }
+
+// Those asked for, that of the problem, and 0 for the shortest path.
+std::set<double> all_weights(const Options& options, const PlanQuery& query) {
+  std::set<double> weights(options.weights.begin(), options.weights.end());
+  weights.insert({0.0, query.weight});
+  return weights;
+}
+
+int compare_poses(const Options& options, const PlanProblem& problem, const PlanningFields& fields, const Interrupt& interrupt) {
+  const std::set<double> weights = all_weights(options, problem.query);
+  const std::vector<PlanResult> curve =
+      trade_off(problem.query, fields, std::vector<double>(weights.begin(), weights.end()), plan_options(interrupt));
+  const Comparison comparison{curve.front(),
+                              *std::ranges::find(curve, problem.query.weight, [](const PlanResult& at) { return at.query.weight; })};
+  if (interrupt.token().stop_requested()) throw Interrupted();
+  const Json summary = options.weights.empty() ? compare_json(comparison) : compare_json(comparison, curve);
+  if (options.output) {
+    const std::filesystem::path name = output_name(*options.output);
+    write_paths(problem, *fields.risk, comparison, name);
+    if (!options.weights.empty()) draw_curve(curve, with_ending(name, "_curve.png"));
+    write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
   }
-  write_file(with_ending(name, ".json"), compare_json(comparison).dump(2) + '\n');
+  if (options.json) print({summary});
+  if (!solved(comparison)) {
+    const PlanResult& failed = comparison.shortest.status != PlanStatus::solved ? comparison.shortest : comparison.risk_aware;
+    return say_no(options.problem.file, failed);
+  }
+  if (!options.json) print_table(comparison);
+  if (!options.json && !options.weights.empty()) print_curve(curve);
+  return kYes;
 }
 
-void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
-  char relative[32] = "";
-  if (shortest > 0.0) std::snprintf(relative, sizeof relative, "%6.2f x", risk_aware / shortest);
-  std::printf("%-18s %10.2f %-2s %10.2f %-2s %10s\n", name, shortest, unit, risk_aware, unit, relative);
-}
-
-void print_table(const Comparison& comparison) {
-  const PathFigures& a = comparison.shortest.figures;
-  const PathFigures& b = comparison.risk_aware.figures;
-  std::printf("%-18s %10s    %10s    %10s\n", "", "shortest", "risk-aware", "relative");
-  print_row("length", a.length, b.length, "m");
-  print_row("blind", a.blind_length, b.blind_length, "m");
-  print_row("longest blind", a.longest_blind, b.longest_blind, "m");
-  print_row("risk integral", a.risk_integral, b.risk_integral, "m");
-  print_row("alpha, mean", a.alpha_mean, b.alpha_mean, "");
-  print_row("alpha, least", a.alpha_min, b.alpha_min, "");
-  print_row("planning", comparison.shortest.seconds, comparison.risk_aware.seconds, "s");
+int compare_random_pairs(const Options& options, const PlanProblem& problem, const PlanningFields& fields, const Interrupt& interrupt) {
+  std::vector<Comparison> pairs;
+  {
+    ProgressBar bar("pairs");
+    pairs = compare_pairs(
+        problem.query, fields,
+        {.count = *options.pairs, .seed = problem.query.planner.seed, .plan = plan_options(interrupt), .progress = bar.callback()});
+  }
+  const Json summary = pairs_json(pairs);
+  if (options.output) {
+    const std::filesystem::path name = output_name(*options.output);
+    draw_distribution(pairs, with_ending(name, ".png"));
+    write_pairs_csv(pairs, with_ending(name, ".csv"));
+    write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
+  }
+  if (options.json) {
+    print({summary});
+  } else {
+    print_distribution(pairs);
+  }
+  return std::ranges::all_of(pairs, solved) ? kYes : kNo;
 }
 
 int run(const Options& options) {
   const Interrupt interrupt;
   const PlanProblem problem = load(options.problem);
   const PlanningFields fields(problem);
-  const Comparison comparison = compare(problem.query, fields, {.stop = interrupt.token()});
-  if (interrupt.token().stop_requested()) throw Interrupted();
-  if (options.output) write_files(problem, *fields.risk, comparison, output_name(*options.output));
-  if (options.json) print({compare_json(comparison)});
-  if (!solved(comparison)) {
-    const PlanResult& failed = comparison.shortest.status != PlanStatus::solved ? comparison.shortest : comparison.risk_aware;
-    return say_no(options.problem.file, failed);
-  }
-  if (!options.json) print_table(comparison);
-  return kYes;
+  return options.pairs ? compare_random_pairs(options, problem, fields, interrupt) : compare_poses(options, problem, fields, interrupt);
 }
 
 }  // namespace
@@ -73,12 +106,21 @@ void add_compare(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("compare", "Plan the shortest and the risk-aware path, and put them side by side");
   add_problem_options(*command, options->problem);
+  CLI::Option* weights =
+      command->add_option("--weights", options->weights, "Further weights, for the curve of length against blind metres: 1,2,5,10")
+          ->delimiter(',')
+          ->check(CLI::NonNegativeNumber);
+  command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
+      ->check(CLI::Range(1, 1'000'000))
+      ->excludes(weights);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv");
+  command->add_option("-o,--output", options->output,
+                      "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
+                      "NAME.json, NAME.png and NAME.csv with --pairs");
   command->footer(
       "Examples:\n"
-      "  alignability compare maps/warehouse/problem.yaml -o comparison\n"
-      "  alignability compare maps/warehouse/problem.yaml --weight 10 --time 10 --json");
+      "  alignability compare maps/warehouse/problem.yaml --weights 1,2,5,10 -o comparison\n"
+      "  alignability compare maps/warehouse/problem.yaml --pairs 100 --iterations 5000 -o pairs");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }
 

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iostream>
 
+#include "core/distribution.hpp"
+
 namespace alignability::cli {
 namespace {
 
@@ -17,6 +19,11 @@ Json vector(const Eigen::Vector3d& value) { return {number(value.x()), number(va
 Json pose(const Pose2& value) { return {number(value.x), number(value.y), number(value.yaw)}; }
 
 Json ratio(double value, double reference) { return reference > 0.0 ? number(value / reference) : Json(nullptr); }
+
+Json distribution_json(const std::vector<double>& values) {
+  const Distribution d = distribution_of(values);
+  return {{"mean", number(d.mean)}, {"min", number(d.min)}, {"median", number(d.median)}, {"p95", number(d.p95)}, {"max", number(d.max)}};
+}
 
 Json options_json(const PlanQuery& query) {
   const char* const policy = query.risk.unknown == UnknownPolicy::risky     ? "risky"
@@ -111,6 +118,40 @@ Json compare_json(const Comparison& comparison) {
            {{"length", ratio(risk_aware.length, shortest.length)},
             {"blind_length", ratio(risk_aware.blind_length, shortest.blind_length)},
             {"risk_integral", ratio(risk_aware.risk_integral, shortest.risk_integral)}}}};
+}
+
+Json compare_json(const Comparison& comparison, std::span<const PlanResult> curve) {
+  Json json = compare_json(comparison);
+  for (const PlanResult& point : curve) json["curve"].push_back(plan_json(point));
+  return json;
+}
+
+Json pairs_json(std::span<const Comparison> pairs) {
+  std::vector<double> ratios, shortest_blind, risk_aware_blind, shortest_risk, risk_aware_risk;
+  Json list = Json::array();
+  for (const Comparison& pair : pairs) {
+    Json entry{{"start", pose(pair.shortest.query.start)},
+               {"goal", pose(pair.shortest.query.goal)},
+               {"shortest", plan_json(pair.shortest)},
+               {"risk_aware", plan_json(pair.risk_aware)}};
+    for (const char* path : {"shortest", "risk_aware"}) {
+      entry[path].erase("path");
+      entry[path].erase("options");
+    }
+    list.push_back(entry);
+    if (!solved(pair)) continue;
+    ratios.push_back(length_ratio(pair));
+    shortest_blind.push_back(pair.shortest.figures.blind_length);
+    risk_aware_blind.push_back(pair.risk_aware.figures.blind_length);
+    shortest_risk.push_back(pair.shortest.figures.risk_integral);
+    risk_aware_risk.push_back(pair.risk_aware.figures.risk_integral);
+  }
+  return {{"pairs", pairs.size()},
+          {"solved", ratios.size()},
+          {"length_ratio", distribution_json(ratios)},
+          {"blind_length", {{"shortest", distribution_json(shortest_blind)}, {"risk_aware", distribution_json(risk_aware_blind)}}},
+          {"risk_integral", {{"shortest", distribution_json(shortest_risk)}, {"risk_aware", distribution_json(risk_aware_risk)}}},
+          {"each", list}};
 }
 
 void print(const std::vector<Json>& objects) {

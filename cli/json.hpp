@@ -3,6 +3,7 @@
 
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <span>
 #include <vector>
 
 #include "alignability/alignability.hpp"
@@ -18,6 +19,9 @@ Json score_json(const std::filesystem::path& file, const Alignability& score, do
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
 Json plan_json(const PlanResult& result);
 Json compare_json(const Comparison& comparison);
+Json compare_json(const Comparison& comparison, std::span<const PlanResult> curve);
+/// Distributions over the pairs that both plans solved, and every pair without its paths.
+Json pairs_json(std::span<const Comparison> pairs);
 
 /// One object a line of output, or an array of them for several.
 void print(const std::vector<Json>& objects);

@@ -5,6 +5,7 @@
 #include <ompl/util/Exception.h>
 
 #include "core/range.hpp"
+#include "planner/ellipse_sampler.hpp"
 #include "planner/pose_goal.hpp"
 
 namespace alignability {
@@ -12,7 +13,9 @@ namespace ob = ompl::base;
 
 AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
                                              const ObjectiveOptions& options)
-    : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()), MotionShape::straight) {}
+    : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()), MotionShape::straight) {
+  in_plain_space_ = true;
+}
 
 AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
                                              const ObjectiveOptions& options, StateProjection projection, MotionShape shape)
@@ -45,6 +48,15 @@ ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const
 
 bool AlignabilityObjective::isSymmetric() const {
   return shape_ == MotionShape::straight || si_->getStateSpace()->hasSymmetricInterpolate();
+}
+
+ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr& problem,
+                                                                        unsigned int largest_number_of_calls) const {
+  const auto* goal = dynamic_cast<const PoseGoal*>(problem->getGoal().get());
+  if (goal == nullptr || !in_plain_space_ || problem->getStartStateCount() != 1) {
+    return ob::OptimizationObjective::allocInformedStateSampler(problem, largest_number_of_calls);
+  }
+  return std::make_shared<EllipseSampler>(problem, largest_number_of_calls, *goal);
 }
 
 double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {

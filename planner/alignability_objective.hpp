@@ -38,6 +38,9 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   /// ‖Δxy‖ [m]: admissible, consistent, symmetric.
   ompl::base::Cost motionCostHeuristic(const ompl::base::State* from, const ompl::base::State* to) const override;
   bool isSymmetric() const override;
+  /// An EllipseSampler in R² and SE(2) with a PoseGoal, else OMPL's, which draws from the whole space and rejects.
+  ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr& problem,
+                                                           unsigned int largest_number_of_calls) const override;
 
   const ObjectiveOptions& options() const { return options_; }
   const RiskField& risk_field() const { return *risk_; }
@@ -51,6 +54,7 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   ObjectiveOptions options_;
   StateProjection projection_;
   MotionShape shape_;
+  bool in_plain_space_ = false;  // R² or SE(2) with its own projection
 };
 
 }  // namespace alignability

@@ -13,8 +13,11 @@ struct Comparison {
 
 /// Whether both were.
 bool solved(const Comparison& comparison);
+/// Of the risk-aware path's to the shortest one's; 1 where neither drives. Both must be solved.
+double length_ratio(const Comparison& comparison);
 
-/// Plans both, each with the planner and the bound of the query. Throws as plan does.
+/// Plans both, each with the planner and the bound of the query, and gives each weight the better of the two paths under it (see
+/// trade_off). Throws as plan does.
 Comparison compare(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 Comparison compare(const PlanProblem& problem, const PlanOptions& options);
 

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <span>
+
+#include "planner/random_pairs.hpp"
+
+namespace alignability::cli {
+
+void print_table(const Comparison& comparison);
+/// A row a weight, for --weights.
+void print_curve(std::span<const PlanResult> curve);
+/// Quantiles over the pairs that both plans solved, for --pairs.
+void print_distribution(std::span<const Comparison> pairs);
+
+/// Blind metres against length, a point a weight whose plan found a path.
+void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& png);
+/// How the ratio of lengths and the blind metres are distributed.
+void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& png);
+/// A row a pair; figures are empty where there is no path.
+void write_pairs_csv(std::span<const Comparison> pairs, const std::filesystem::path& csv);
+
+}  // namespace alignability::cli

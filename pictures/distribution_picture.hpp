@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "pictures/path_picture.hpp"
+
+namespace alignability {
+
+/// Values of one kind, drawn as the share of them that is at most so much.
+struct DistributionCurve {
+  std::string label;           ///< none when empty
+  std::vector<double> values;  ///< finite, in any order
+  Colour colour = kRiskAwareColour;
+  LineStyle style = LineStyle::solid;
+};
+
+struct DistributionPanel {
+  std::string name;  ///< of the axis, with its unit
+  std::vector<DistributionCurve> curves;
+  double from = 0.0;  ///< where its axis starts
+};
+
+/// Draws cumulative distributions, a panel beside the other. Throws InputError when the file cannot be written.
+void draw_distributions(std::span<const DistributionPanel> panels, const std::string& title, const std::filesystem::path& png);
+
+}  // namespace alignability

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "planner/plan.hpp"
+
+namespace alignability {
+
+/// The query planned once for each weight (>= 0), in their order. Of all paths found, each weight gets the one that costs least under it,
+/// so that with the weight the risk integral never rises and the rest of the cost never falls, whatever a planner's luck; times stay those
+/// of the weight's own plan. Throws as plan does.
+std::vector<PlanResult> trade_off(const PlanQuery& query, const PlanningFields& fields, std::span<const double> weights,
+                                  const PlanOptions& options);
+
+}  // namespace alignability
