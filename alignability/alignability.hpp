@@ -38,6 +38,8 @@ struct ScoredScan {
   Alignability alignability;
   /// For each point of the scan the kept plane it belongs to, counted from 0; -1 = none.
   std::vector<int> plane_of_point;
+  std::vector<Eigen::Vector3f> normals;            ///< of each point: unit, turned to the sensor; NaN = dropped
+  Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< of the eigenvalues, by column; the last is the weakest direction
 };
 
 /// Safe to call from many threads. Never throws for the content of a scan: one without planes scores 0.

@@ -20,7 +20,6 @@ namespace alignability {
 namespace {
 
 constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr float kSensorClearance = 0.1f;
 constexpr int kMostDraws = 20;
 
 // The quantile of sorted values, linear between neighbours; q = 0.5 is the median.

@@ -16,6 +16,7 @@ using Work = std::function<int()>;
 void add_occupancy(CLI::App& app, Work& work);
 void add_scan(CLI::App& app, Work& work);
 void add_score(CLI::App& app, Work& work);
+void add_explain(CLI::App& app, Work& work);
 void add_map(CLI::App& app, Work& work);
 void add_plan(CLI::App& app, Work& work);
 void add_compare(CLI::App& app, Work& work);

@@ -65,6 +65,28 @@ Json score_json(const std::filesystem::path& file, const Alignability& score, do
           {"seconds", seconds}};
 }
 
+Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why) {
+  Json planes = Json::array();
+  for (const ExplainedPlane& plane : explanation.planes) {
+    planes.push_back({{"kind", to_string(plane.kind)},
+                      {"normal", vector(plane.normal)},
+                      {"segments", plane.segments},
+                      {"points", plane.points},
+                      {"share", plane.share},
+                      {"distance", plane.distance},
+                      {"extents", vector(plane.extents)},
+                      {"holds", plane.holds}});
+  }
+  return {{"at", {at.x(), at.y()}},
+          {"alpha", explanation.alignability.alpha},
+          {"verdict", to_string(verdict)},
+          {"why", why},
+          {"eigenvalues", vector(explanation.alignability.eigenvalues)},
+          {"weakest_direction", planes.empty() ? Json(nullptr) : vector(explanation.weakest_axis())},
+          {"noise", explanation.noise},
+          {"planes", planes}};
+}
+
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files) {
   std::vector<double> alphas;
   double scans = 0.0;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "alignability/alignability.hpp"
+#include "alignability/explanation.hpp"
 #include "costmap/alignability_map.hpp"
 #include "planner/compare.hpp"
 
@@ -16,6 +17,7 @@ namespace alignability::cli {
 using Json = nlohmann::ordered_json;
 
 Json score_json(const std::filesystem::path& file, const Alignability& score, double seconds);
+Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why);
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
 Json plan_json(const PlanResult& result);
 Json compare_json(const Comparison& comparison);

@@ -79,6 +79,7 @@ int main(int argc, char** argv) {
   add_occupancy(app, work);
   add_scan(app, work);
   add_score(app, work);
+  add_explain(app, work);
   add_map(app, work);
   add_plan(app, work);
   add_compare(app, work);

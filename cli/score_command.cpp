@@ -7,6 +7,7 @@
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "core/input_error.hpp"
+#include "core/range.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
 #include "pictures/scan_picture.hpp"
@@ -23,17 +24,11 @@ struct Options {
   bool json = false;
 };
 
-std::string fixed(double value) {
-  char text[32];
-  std::snprintf(text, sizeof text, "%.4f", value);
-  return text;
-}
-
 void draw(const Scan& scan, const ScoredScan& scored, const std::filesystem::path& file, const std::filesystem::path& png) {
   const Alignability& result = scored.alignability;
   ScanPictureOptions picture;
   picture.title = file.filename().string();
-  picture.lines = {"α = " + fixed(result.alpha),
+  picture.lines = {"α = " + fixed_text(result.alpha, 4),
                    std::to_string(result.planes_kept) + " planes of " + std::to_string(result.points) + " points"};
   if (result.planes_kept > 0) picture.weakest_direction = result.weakest_direction;
   draw_scan(scan.points, scored.plane_of_point, picture, png);

@@ -34,4 +34,13 @@ std::string to_text(double value) {
   return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
 }
 
+std::string fixed_text(double value, int decimals) {
+  std::array<char, 400> digits;
+  const double magnitude = std::abs(value);
+  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), magnitude, std::chars_format::fixed, decimals).ptr;
+  const std::string text(digits.data(), end);
+  const bool zero = text.find_first_not_of("0.") == std::string::npos;
+  return value < 0.0 && !zero ? "-" + text : text;
+}
+
 }  // namespace alignability

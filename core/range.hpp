@@ -28,4 +28,7 @@ inline constexpr Range kShare{.min = 0.0, .max = 1.0};
 /// The shortest decimal text that reads back as the same double: 0.1, 2500, 1e-09; nan, inf.
 std::string to_text(double value);
 
+/// A finite number with that many digits after the point, whatever the locale, and no negative zero.
+std::string fixed_text(double value, int decimals);
+
 }  // namespace alignability

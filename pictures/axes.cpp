@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "core/range.hpp"
 #include "pictures/text.hpp"
 
 namespace alignability::detail {

@@ -121,6 +121,8 @@ void draw_alignability(const Context& context, const View& view, const Grid<floa
   context->paint();
 }
 
+}  // namespace
+
 void draw_occupancy(const Context& context, const View& view, const OccupancyMap& occupancy, Tone tone) {
   const PixelCells cells = cells_by_pixel(view, occupancy.geometry());
   Raster<std::uint8_t> walls(view, Cairo::Surface::Format::A8);
@@ -139,8 +141,6 @@ void draw_occupancy(const Context& context, const View& view, const OccupancyMap
   set_colour(context, wall_colour(tone));
   context->mask(walls.finished(), view.frame.left, view.frame.top);
 }
-
-}  // namespace
 
 void draw_map(const Context& context, const View& view, const AlignabilityMap& map, const OccupancyMap& occupancy, Tone tone) {
   draw_not_evaluated(context, view, occupancy.geometry());

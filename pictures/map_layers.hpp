@@ -12,6 +12,9 @@ namespace alignability::detail {
 /// O(cells + pixels).
 void draw_map(const Context& context, const View& view, const AlignabilityMap& map, const OccupancyMap& occupancy, Tone tone);
 
+/// The walls and the unknown alone, as `draw_map` has them; the free stays as it is.
+void draw_occupancy(const Context& context, const View& view, const OccupancyMap& occupancy, Tone tone);
+
 /// A patch the way unknown cells are drawn.
 void paint_hatch(const Context& context, const Rectangle& area);
 

@@ -10,6 +10,7 @@
 
 #include "core/range.hpp"
 #include "pictures/axes.hpp"
+#include "pictures/map_layers.hpp"
 #include "pictures/map_layout.hpp"
 #include "pictures/text.hpp"
 
@@ -23,11 +24,13 @@ constexpr double kBorder = 1.04;
 constexpr double kLeastAspect = 0.6;
 constexpr double kPointSide = 2.5;
 constexpr double kAxisLength = 46.0;
+constexpr double kAxisNameGap = 18.0;
 constexpr double kArrowShare = 0.16;  // of the longer side, for a horizontal direction
 constexpr double kSteepBelow = 0.15;  // share of a unit vector that is seen from above
 constexpr double kLegendWidth = 240.0;
+constexpr double kLabelledLegendWidth = 340.0;
 constexpr double kPitch = 30.0;
-constexpr std::size_t kNamedPlanes = 12;
+constexpr double kPaleness = 0.5;
 constexpr Colour kNoPlane = colour_from_hex(0xa8a8a8);
 constexpr Colour kWeak = kBlind;
 
@@ -48,37 +51,62 @@ std::vector<Plane> planes_of(std::span<const int> plane_of_point) {
   return planes;
 }
 
-Colour colour_of(int plane) { return plane < 0 ? kNoPlane : category_colour(static_cast<std::size_t>(plane)); }
+// By number: 1 the largest, 0 none.
+std::map<int, std::size_t> ranks_of(std::span<const Plane> planes) {
+  std::map<int, std::size_t> ranks{{-1, 0}};
+  for (std::size_t i = 0; i < planes.size(); ++i) ranks[planes[i].number] = i + 1;
+  return ranks;
+}
+
+Colour colour_of(std::size_t rank) {
+  if (rank == 0) return kNoPlane;
+  const Colour colour = category_colour(rank - 1);
+  return rank <= kNamedPlanes ? colour : mixed(colour, kWhite, kPaleness);
+}
+
+// A scan as it is drawn: its points and its sensor in the frame of the picture.
+struct Drawing {
+  std::vector<Eigen::Vector3d> points;
+  std::vector<std::size_t> rank_of_point;
+  std::vector<Plane> planes;
+  Eigen::Isometry3d T_picture_lidar;
+
+  Eigen::Vector2d sensor() const { return T_picture_lidar.translation().head<2>(); }
+};
 
 // Half the sides of a rectangle about the sensor that holds all points and is not too slim for the legend.
-Eigen::Vector2d half_extent(std::span<const Eigen::Vector3f> points) {
+Eigen::Vector2d half_extent(const Drawing& drawing) {
   Eigen::Vector2d far = Eigen::Vector2d::Zero();
-  for (const Eigen::Vector3f& point : points) {
-    if (point.allFinite()) far = far.cwiseMax(point.head<2>().cwiseAbs().cast<double>());
+  for (const Eigen::Vector3d& point : drawing.points) {
+    if (point.allFinite()) far = far.cwiseMax((point.head<2>() - drawing.sensor()).cwiseAbs());
   }
   const double longer = far.maxCoeff() > 0.0 ? kBorder * far.maxCoeff() : 1.0;
   return (kBorder * far).cwiseMax(kLeastAspect * longer).cwiseMin(longer);
 }
 
-// The points of no plane lowest, then the planes from the largest to the smallest, so that a floor hides no wall.
-std::vector<std::size_t> drawing_order(std::span<const int> plane_of_point, std::span<const Plane> planes) {
-  std::map<int, std::size_t> ranks;
-  for (std::size_t i = 0; i < planes.size(); ++i) ranks[planes[i].number] = i + 1;
-  std::vector<std::size_t> order(plane_of_point.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return plane_of_point[i] < 0 ? 0 : ranks.at(plane_of_point[i]); });
-  return order;
+Drawing drawing_of(std::span<const Eigen::Vector3f> points, std::span<const int> plane_of_point, const ScanPictureOptions& options) {
+  Drawing drawing;
+  drawing.T_picture_lidar = options.T_map_lidar.value_or(Eigen::Isometry3d::Identity());
+  for (const Eigen::Vector3f& point : points) drawing.points.emplace_back(drawing.T_picture_lidar * point.cast<double>());
+  drawing.planes = planes_of(plane_of_point);
+  const std::map<int, std::size_t> ranks = ranks_of(drawing.planes);
+  for (const int plane : plane_of_point) drawing.rank_of_point.push_back(ranks.at(std::max(plane, -1)));
+  return drawing;
 }
 
-void draw_points(const Context& context, const View& view, std::span<const Eigen::Vector3f> points, std::span<const int> plane_of_point,
-                 std::span<const Plane> planes) {
+// The points of no plane lowest, then the planes from the largest to the smallest, so that a floor hides no wall.
+void draw_points(const Context& context, const View& view, const Drawing& drawing) {
+  std::vector<std::size_t> order(drawing.points.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::ranges::stable_sort(order, {}, [&](std::size_t i) { return drawing.rank_of_point[i]; });
   context->save();
   add_rectangle(context, view.frame);
   context->clip();
-  for (const std::size_t i : drawing_order(plane_of_point, planes)) {
-    if (!points[i].allFinite()) continue;
-    const Eigen::Vector2d at = view.to_pixel(points[i].head<2>().cast<double>());
-    fill_rectangle(context, {at.x() - 0.5 * kPointSide, at.y() - 0.5 * kPointSide, kPointSide, kPointSide}, colour_of(plane_of_point[i]));
+  for (const std::size_t i : order) {
+    if (!drawing.points[i].allFinite()) continue;
+    const Eigen::Vector2d at = view.to_pixel(drawing.points[i].head<2>());
+    const Colour colour = colour_of(drawing.rank_of_point[i]);
+    fill_rectangle(context, {at.x() - 0.5 * kPointSide, at.y() - 0.5 * kPointSide, kPointSide, kPointSide}, colour);
   }
   context->restore();
 }
@@ -106,14 +134,21 @@ void draw_arrow(const Context& context, const Eigen::Vector2d& from, const Eigen
   context->fill();
 }
 
-void draw_sensor(const Context& context, const View& view) {
-  const Eigen::Vector2d at = view.to_pixel(Eigen::Vector2d::Zero());
-  const Eigen::Vector2d x_end = at + Eigen::Vector2d(kAxisLength, 0.0);
-  const Eigen::Vector2d y_end = at - Eigen::Vector2d(0.0, kAxisLength);
-  draw_arrow(context, at, x_end, 3.5, kInk);
-  draw_arrow(context, at, y_end, 3.5, kInk);
-  draw_rimmed_text(context, "x", x_end + Eigen::Vector2d(-6.0, 14.0), {.weight = Weight::bold, .anchor = {0.5, 0.0}});
-  draw_rimmed_text(context, "y", y_end + Eigen::Vector2d(-14.0, 6.0), {.weight = Weight::bold, .anchor = {1.0, 0.5}});
+// A direction of the lidar as it looks from above, in pixels.
+Eigen::Vector2d on_page(const Drawing& drawing, const Eigen::Vector3d& direction) {
+  const Eigen::Vector3d turned = drawing.T_picture_lidar.linear() * direction;
+  return {turned.x(), -turned.y()};
+}
+
+void draw_sensor(const Context& context, const View& view, const Drawing& drawing) {
+  const Eigen::Vector2d at = view.to_pixel(drawing.sensor());
+  const Eigen::Vector2d x = on_page(drawing, Eigen::Vector3d::UnitX());
+  const Eigen::Vector2d y = on_page(drawing, Eigen::Vector3d::UnitY());
+  const TextStyle bold{.weight = Weight::bold, .anchor = {0.5, 0.5}};
+  draw_arrow(context, at, at + kAxisLength * x, 3.5, kInk);
+  draw_arrow(context, at, at + kAxisLength * y, 3.5, kInk);
+  draw_rimmed_text(context, "x", at + (kAxisLength - 6.0) * x - kAxisNameGap * y, bold);
+  draw_rimmed_text(context, "y", at + (kAxisLength - 6.0) * y - kAxisNameGap * x, bold);
   context->arc(at.x(), at.y(), 7.0, 0.0, 2.0 * std::numbers::pi);
   set_colour(context, kWhite);
   context->fill_preserve();
@@ -122,13 +157,14 @@ void draw_sensor(const Context& context, const View& view) {
   context->stroke();
 }
 
-double seen_from_above(const Eigen::Vector3d& direction) { return direction.normalized().head<2>().norm(); }
+bool is_steep(const Drawing& drawing, const Eigen::Vector3d& direction) {
+  return !(on_page(drawing, direction.normalized()).norm() >= kSteepBelow);
+}
 
-void draw_weakest_direction(const Context& context, const View& view, const Eigen::Vector3d& direction) {
-  if (!(seen_from_above(direction) >= kSteepBelow)) return;
-  const Eigen::Vector3d unit = direction.normalized();
-  const Eigen::Vector2d reach = kArrowShare * kLongerSide * Eigen::Vector2d(unit.x(), -unit.y());
-  const Eigen::Vector2d at = view.to_pixel(Eigen::Vector2d::Zero());
+void draw_weakest_direction(const Context& context, const View& view, const Drawing& drawing, const Eigen::Vector3d& direction) {
+  if (is_steep(drawing, direction)) return;
+  const Eigen::Vector2d reach = kArrowShare * kLongerSide * on_page(drawing, direction.normalized());
+  const Eigen::Vector2d at = view.to_pixel(drawing.sensor());
   draw_arrow(context, at, at + reach, 6.0, kWeak);
   draw_arrow(context, at, at - reach, 6.0, kWeak);
 }
@@ -158,23 +194,30 @@ class Column {
 
 std::string counted(std::size_t count, const std::string& things) { return std::to_string(count) + " " + things; }
 
-void draw_legend(const Context& context, const Rectangle& area, std::span<const Eigen::Vector3f> points,
-                 std::span<const int> plane_of_point, std::span<const Plane> planes, const ScanPictureOptions& options) {
+std::string label_of(const Plane& plane, std::size_t rank, const ScanPictureOptions& options) {
+  if (rank < options.plane_labels.size()) return options.plane_labels[rank];
+  return "plane " + std::to_string(plane.number) + ": " + counted(plane.points, "points");
+}
+
+void draw_legend(const Context& context, const Rectangle& area, const Drawing& drawing, const ScanPictureOptions& options) {
   Column column(context, area);
   for (const std::string& line : options.lines) column.write(line);
   if (!options.lines.empty()) column.skip();
   if (options.weakest_direction) {
-    const bool steep = !(seen_from_above(*options.weakest_direction) >= kSteepBelow);
-    column.write(kWeak, steep ? "weakest: vertical" : "weakest direction");
+    column.write(kWeak, is_steep(drawing, *options.weakest_direction) ? "weakest: vertical" : "weakest direction");
     column.skip();
   }
-  for (std::size_t i = 0; i < std::min(planes.size(), kNamedPlanes); ++i) {
-    column.write(colour_of(planes[i].number), "plane " + std::to_string(planes[i].number) + ": " + counted(planes[i].points, "points"));
+  const std::size_t planes = drawing.planes.size();
+  for (std::size_t i = 0; i < std::min(planes, kNamedPlanes); ++i) {
+    column.write(colour_of(i + 1), label_of(drawing.planes[i], i, options));
   }
-  if (planes.size() > kNamedPlanes) column.write("and " + counted(planes.size() - kNamedPlanes, "smaller planes"));
+  if (planes > kNamedPlanes) {
+    const std::string smaller = "and " + counted(planes - kNamedPlanes, "smaller planes");
+    column.write(colour_of(kNamedPlanes + 1), options.smaller_planes.empty() ? smaller : options.smaller_planes);
+  }
   std::size_t unassigned = 0;
-  for (std::size_t i = 0; i < points.size(); ++i) {
-    if (plane_of_point[i] < 0 && points[i].allFinite()) ++unassigned;
+  for (std::size_t i = 0; i < drawing.points.size(); ++i) {
+    if (drawing.rank_of_point[i] == 0 && drawing.points[i].allFinite()) ++unassigned;
   }
   column.write(kNoPlane, "no plane: " + counted(unassigned, "points"));
 }
@@ -185,19 +228,22 @@ void draw_scan(std::span<const Eigen::Vector3f> points, std::span<const int> pla
                const std::filesystem::path& png) {
   if (points.size() != plane_of_point.size()) throw std::invalid_argument("a scan's picture needs one plane per point");
   if (options.range && !kPositive.contains(*options.range)) throw std::invalid_argument("a scan's picture needs a positive range");
-  const Eigen::Vector2d half = options.range ? Eigen::Vector2d(*options.range, *options.range) : half_extent(points);
-  const MapLayout layout = lay_out(view_of({-half, half}, 0.5 * kLongerSide / half.maxCoeff()), options.title, 0, kLegendWidth);
-  const std::vector<Plane> planes = planes_of(plane_of_point);
+  const Drawing drawing = drawing_of(points, plane_of_point, options);
+  const Eigen::Vector2d half = options.range ? Eigen::Vector2d(*options.range, *options.range) : half_extent(drawing);
+  const WorldBox box{drawing.sensor() - half, drawing.sensor() + half};
+  const MapLayout layout = lay_out(view_of(box, 0.5 * kLongerSide / half.maxCoeff()), options.title, 0,
+                                   options.plane_labels.empty() ? kLegendWidth : kLabelledLegendWidth);
   const Page page(layout.width, layout.bottom + kMargin);
   const Context& context = page.context();
 
   draw_title(context, layout, options.title);
-  draw_points(context, layout.view, points, plane_of_point, planes);
-  if (options.weakest_direction) draw_weakest_direction(context, layout.view, *options.weakest_direction);
-  draw_sensor(context, layout.view);
-  draw_axes(context, layout.view, {"x, forward [m]", "y, left [m]"});
+  if (options.T_map_lidar && options.occupancy != nullptr) draw_occupancy(context, layout.view, *options.occupancy, Tone::pale);
+  draw_points(context, layout.view, drawing);
+  if (options.weakest_direction) draw_weakest_direction(context, layout.view, drawing, *options.weakest_direction);
+  draw_sensor(context, layout.view, drawing);
+  draw_axes(context, layout.view, options.T_map_lidar ? kMapAxes : AxisNames{"x, forward [m]", "y, left [m]"});
   draw_scale_bar(context, layout.view);
-  draw_legend(context, layout.legend, points, plane_of_point, planes, options);
+  draw_legend(context, layout.legend, drawing, options);
   page.save(png);
 }
 

@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures/text.hpp"
 
-#include <array>
-#include <charconv>
-#include <cmath>
 #include <numbers>
 
 namespace alignability::detail {
@@ -72,14 +69,5 @@ double text_width(const std::string& text, double size, Weight weight) {
 }
 
 double capital_height(double size) { return kCapitalShare * size; }
-
-std::string fixed_text(double value, int decimals) {
-  std::array<char, 400> digits;
-  const double magnitude = std::abs(value);
-  const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), magnitude, std::chars_format::fixed, decimals).ptr;
-  const std::string text(digits.data(), end);
-  const bool zero = text.find_first_not_of("0.") == std::string::npos;
-  return value < 0.0 && !zero ? "-" + text : text;
-}
 
 }  // namespace alignability::detail

@@ -36,8 +36,4 @@ void draw_upward_text(const Context& context, const std::string& text, const Eig
 double text_width(const std::string& text, double size, Weight weight);
 double capital_height(double size);
 
-/// With that many digits after the point, whatever the locale, and no negative zero. Plain ASCII: what Cairo falls back to without any font
-/// has no more.
-std::string fixed_text(double value, int decimals);
-
 }  // namespace alignability::detail

@@ -8,37 +8,20 @@
 #include <numbers>
 #include <random>
 
-#include "lidar/lidar_model.hpp"
-#include "lidar/primitives.hpp"
-#include "lidar/scene.hpp"
-#include "lidar/simulate_scan.hpp"
 #include "tests/alignability/patches.hpp"
+#include "tests/alignability/simulated.hpp"
 #include "tests/shared_data.hpp"
 
 namespace alignability {
 namespace {
 
+using test::box;
+using test::floor_and;
+using test::scan_of;
+
 const Eigen::Vector3f kX = Eigen::Vector3f::UnitX();
 const Eigen::Vector3f kY = Eigen::Vector3f::UnitY();
 const Eigen::Vector3f kZ = Eigen::Vector3f::UnitZ();
-
-TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  return transformed(make_box(high - low), Eigen::Affine3d(Eigen::Translation3d(0.5 * (low + high))));
-}
-
-LidarModel hdl32e() { return read_lidar_model(std::filesystem::path(ALIGNABILITY_SOURCE_DIR) / "maps/sensors/hdl32e.yaml"); }
-
-// A scan from 1.9 m above the origin, cropped to 6.5 m.
-Scan scan_of(std::vector<TriangleMesh> meshes, std::optional<NoiseKey> noise = std::nullopt) {
-  Eigen::Isometry3d T_map_lidar = Eigen::Isometry3d::Identity();
-  T_map_lidar.translation().z() = 1.9;
-  return simulate_scan(Scene(std::move(meshes)), hdl32e(), T_map_lidar, {.range_max = 6.5}, noise);
-}
-
-std::vector<TriangleMesh> floor_and(std::vector<TriangleMesh> walls) {
-  walls.push_back(box({-50.0, -50.0, -0.1}, {50.0, 50.0, 0.0}));
-  return walls;
-}
 
 TEST(Alignability, OfOnePlaneIsZero) {
   Scan scan;
@@ -74,7 +57,7 @@ TEST(Alignability, IsTheRatioOfCountsWhereNormalsAreOrthogonal) {
 }
 
 TEST(Alignability, OfAPlainCorridorWithoutNoiseIsZeroAndWeakAlongIt) {
-  const Scan scan = scan_of(floor_and({box({-60.0, 1.5, 0.0}, {60.0, 1.7, 5.0}), box({-60.0, -1.7, 0.0}, {60.0, -1.5, 5.0})}));
+  const Scan scan = scan_of(test::plain_corridor());
   const Alignability result = score(scan, {}).alignability;
   EXPECT_LT(result.alpha, 1e-4);
   EXPECT_GE(result.planes_kept, 3);

@@ -7,15 +7,13 @@
 #include <bit>
 #include <cmath>
 
-#include "lidar/primitives.hpp"
+#include "tests/alignability/simulated.hpp"
 #include "tests/costmap/ascii_map.hpp"
 
 namespace alignability {
 namespace {
 
-TriangleMesh box(const Eigen::Vector3d& low, const Eigen::Vector3d& high) {
-  return transformed(make_box(high - low), Eigen::Affine3d(Eigen::Translation3d(0.5 * (low + high))));
-}
+using test::box;
 
 // 4 × 3 m of floor within walls, a post in one cell.
 Scene room() {

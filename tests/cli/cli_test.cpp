@@ -77,6 +77,60 @@ TEST_F(Cli, ScansAndScores) {
   EXPECT_EQ(several.size(), 2u);
 }
 
+TEST_F(Cli, ExplainsTheAlphaThatScanAndScoreGive) {
+  ASSERT_EQ(
+      run({"scan", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--at", "1.5,1.5,0", "--seed", "7", "-o", "scan.pcd"}).exit_code, 0);
+  const json score = json::parse(run({"score", "scan.pcd", "--sensor", "sensor.yaml", "--json"}).out);
+  const test::Outcome outcome =
+      run({"explain", "1.5,1.5", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--seed", "7", "--json", "-o", "why.png"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json why = json::parse(outcome.out);
+  EXPECT_THAT(keys(why),
+              testing::UnorderedElementsAre("at", "alpha", "verdict", "why", "eigenvalues", "weakest_direction", "noise", "planes", "map"));
+  EXPECT_EQ(why["at"], json({1.5, 1.5}));
+  EXPECT_EQ(why["alpha"], score["alpha"]);
+  EXPECT_EQ(why["eigenvalues"], score["eigenvalues"]);
+  EXPECT_TRUE(why["map"].is_null());
+  double share = 0.0;
+  double holds = 0.0;
+  int segments = 0;
+  for (const json& plane : why["planes"]) {
+    EXPECT_THAT(keys(plane),
+                testing::UnorderedElementsAre("kind", "normal", "segments", "points", "share", "distance", "extents", "holds"));
+    share += plane["share"].get<double>();
+    holds += plane["holds"].get<double>();
+    segments += plane["segments"].get<int>();
+  }
+  EXPECT_NEAR(share, 1.0, 1e-9);
+  EXPECT_NEAR(holds, 1.0, 1e-9);
+  EXPECT_EQ(segments, score["planes_kept"].get<int>());
+  EXPECT_TRUE(exists("why.png"));
+  EXPECT_EQ(json::parse(std::ifstream(folder / "why.json")), why);
+}
+
+TEST_F(Cli, ExplainsByAProblemFileBesideTheMap) {
+  make_maps();
+  folder.write("site.yaml",
+               "map: occupancy.yaml\nalignability: alignability.yaml\nrobot: {radius: 0.3}\nstart: [1.5, 3, 0]\ngoal: [6.5, 3, 0]\n"
+               "scene: world.sdf\nsensor: sensor.yaml\nrisk: {alpha_critical: 0.98, alpha_safe: 0.99}\n");
+  const test::Outcome outcome = run({"explain", "1.5", "1.5", "--problem", "site.yaml"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_EQ(outcome.err, "");
+  EXPECT_THAT(outcome.out, StartsWith("Blind, alpha 0.")) << "by the file's thresholds";
+  EXPECT_THAT(outcome.out, HasSubstr("the median of 2 scans"));
+  const json why = json::parse(run({"explain", "1.5,1.5", "--problem", "site.yaml", "--json"}).out);
+  EXPECT_EQ(why["map"]["samples"], 2.0);
+  EXPECT_THAT(run({"explain", "1.5,1.5", "--problem", "site.yaml", "--range-max", "4"}).err,
+              HasSubstr("alignability.yaml was made without --range-max"));
+  const std::pair<const char*, const char*> faults[] = {{"-1.5,-2", "occupancy.yaml: the place -1.5, -2 lies off it"},
+                                                        {"4,3", "occupancy.yaml: the place 4, 3 is occupied"}};
+  for (const auto& [place, message] : faults) {
+    const test::Outcome refused = run({"explain", place, "--problem", "site.yaml"});
+    EXPECT_EQ(refused.exit_code, 2);
+    EXPECT_THAT(refused.err, HasSubstr(message));
+  }
+}
+
 TEST_F(Cli, PrintsTheJsonThatTheDesignPromises) {
   ASSERT_EQ(run(kOccupancy).exit_code, 0);
   const json map = json::parse(run(kMap, {"--json"}).out);
@@ -150,6 +204,13 @@ TEST_F(Cli, RefusesAWrongCommandLineWithExitCodeTwo) {
       {{"score", "a.pcd", "b.pcd", "--picture", "x.png"}, "--picture draws one scan"},
       {{"score", "missing.pcd"}, "missing.pcd: no such file"},
       {{"plan", "missing.yaml"}, "missing.yaml: no such file"},
+      {{"explain", "1,1"}, "--scene is required, or a --problem that names one"},
+      {{"explain", "1,1", "--scene", "world.sdf"}, "--sensor is required, or a --problem that names one"},
+      {{"explain", "1,1", "--problem", "problem.yaml"}, "problem.yaml: names no 'scene'; give --scene"},
+      {{"explain", "1", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "place"},
+      {{"explain", "1,1", "--scene", "missing.sdf", "--sensor", "sensor.yaml"}, "missing.sdf: no such file"},
+      {{"explain", "4,3", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "world.sdf: at 4, 3 the sensor would be in a surface"},
+      {{"explain", "40,-3", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "world.sdf: the place 40, -3 lies off it"},
   };
   for (const Fault& fault : faults) {
     const test::Outcome outcome = run(fault.arguments);
@@ -169,7 +230,7 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
 }
 
 TEST_F(Cli, EndsHelpWithTwoExamples) {
-  for (const std::string command : {"occupancy", "scan", "score", "map", "plan", "compare"}) {
+  for (const std::string command : {"occupancy", "scan", "score", "explain", "map", "plan", "compare"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

@@ -65,6 +65,13 @@ TEST(ToText, IsTheShortestThatPeopleWrite) {
   EXPECT_EQ(to_text(-std::numeric_limits<double>::denorm_min()), "-5e-324");
 }
 
+TEST(FixedText, RoundsAndGivesZeroNoSign) {
+  EXPECT_EQ(fixed_text(-2.5, 1), "-2.5");
+  EXPECT_EQ(fixed_text(-0.01, 1), "0.0");
+  EXPECT_EQ(fixed_text(0.1 + 0.2, 1), "0.3");
+  EXPECT_EQ(fixed_text(4800000.0, 0), "4800000");
+}
+
 TEST(ToText, ReadsBackAsTheSameDouble) {
   constexpr std::uint64_t kSeed = 20240611;
   SCOPED_TRACE(kSeed);

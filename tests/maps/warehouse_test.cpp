@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What maps/warehouse ships is what its makers make, and does what its README says.
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <cmath>
 #include <cstdlib>
@@ -8,9 +8,11 @@
 #include <iterator>
 
 #include "alignability/build_map.hpp"
+#include "alignability/explanation.hpp"
 #include "costmap/map_server.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/sdf_world.hpp"
+#include "lidar/simulate_scan.hpp"
 #include "lidar/slice.hpp"
 #include "planner/compare.hpp"
 #include "tests/core/temporary_folder.hpp"
@@ -70,6 +72,45 @@ TEST(Warehouse, AlignabilityMapIsRebuiltCellByCell) {
   for (const Cell cell : *options.cells) {
     EXPECT_NEAR(rebuilt.alpha()[cell], shipped.alpha()[cell], 1e-3) << cell.x << ' ' << cell.y;
   }
+}
+
+// What maps/warehouse/README.md says of the plain corridor, the hall, the packed aisle and the goods lane.
+TEST(Warehouse, PlacesAreExplainedByWhatIsThere) {
+  const LidarModel lidar = read_lidar_model(kMaps / "sensors/hdl32e.yaml");
+  const Scene scene(read_world(kSite / "warehouse.sdf").meshes);
+  const auto explained = [&](double x, double y) {
+    const Eigen::Isometry3d T_map_lidar = Eigen::Translation3d(x, y, 0.0) * lidar.T_base_lidar;
+    const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = 6.5}, NoiseKey{.seed = 1});
+    return explain(scan, T_map_lidar.linear(), lidar.range_stddev, {});
+  };
+  const auto distances = [](const Explanation& explanation, PlaneKind kind) {
+    std::vector<double> result;
+    for (const ExplainedPlane& plane : explanation.planes) {
+      if (plane.kind == kind && plane.share >= 0.01) result.push_back(plane.distance);
+    }
+    return result;
+  };
+  const auto near = [](double distance) { return testing::DoubleNear(distance, 0.03); };
+
+  const Explanation corridor = explained(30.0, 22.3);
+  EXPECT_THAT(distances(corridor, PlaneKind::wall), testing::UnorderedElementsAre(near(1.3), near(1.7)));
+  EXPECT_THAT(distances(corridor, PlaneKind::floor), testing::ElementsAre(near(1.9)));
+  EXPECT_THAT(sentence(corridor, {}), testing::HasSubstr("Blind, alpha 0.0"));
+  EXPECT_THAT(sentence(corridor, {}), testing::HasSubstr("nothing faces along x:"));
+
+  const Explanation hall = explained(11.5, 35.0);
+  EXPECT_EQ(hall.planes.size(), 1u);
+  EXPECT_THAT(sentence(hall, {}), testing::HasSubstr("nothing faces in any horizontal direction: the normals are of floor (100.0 %"));
+
+  const Explanation packed = explained(32.0, 30.2);
+  EXPECT_THAT(distances(packed, PlaneKind::wall), testing::ElementsAre(near(1.6), near(1.6)));
+  EXPECT_THAT(distances(packed, PlaneKind::floor), testing::ElementsAre(near(1.9), near(0.5)))
+      << "and the tops of the lower loads, at 1.4 m";
+  EXPECT_THAT(sentence(packed, {}), testing::HasSubstr("nothing faces along x:"));
+
+  const Explanation lane = explained(30.0, 10.0);
+  EXPECT_THAT(sentence(lane, {}), testing::StartsWith("Safe, "));
+  EXPECT_THAT(distances(lane, PlaneKind::wall), testing::IsSupersetOf({near(4.8), near(5.8), near(0.55), near(2.55)})) << "walls, columns";
 }
 
 TEST(Warehouse, ShortestPathIsBlindInTheCorridorAndTheRiskAwareOneGoesAround) {

@@ -3,8 +3,6 @@
 
 #include <gmock/gmock.h>
 
-#include "pictures/text.hpp"
-
 namespace alignability::detail {
 namespace {
 
@@ -26,13 +24,6 @@ TEST(Axes, TicksIncludeBothEndsWhereTheyAreRound) {
   const Ticks fine = ticks_within(0.0, 0.6, 400.0, 110.0);
   EXPECT_EQ(fine.decimals, 1);
   EXPECT_THAT(fine.values, ElementsAre(0.0, 0.2, DoubleNear(0.4, 1e-12), DoubleNear(0.6, 1e-12)));
-}
-
-TEST(Axes, NumbersAreRoundedAndZeroHasNoSign) {
-  EXPECT_EQ(fixed_text(-2.5, 1), "-2.5");
-  EXPECT_EQ(fixed_text(-0.01, 1), "0.0");
-  EXPECT_EQ(fixed_text(0.1 + 0.2, 1), "0.3");
-  EXPECT_EQ(fixed_text(4800000.0, 0), "4800000");
 }
 
 }  // namespace

@@ -5,10 +5,12 @@
 
 #include <limits>
 
+#include "core/pose.hpp"
 #include "pictures/colour_map.hpp"
 #include "pictures/page.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/core/thrown_message.hpp"
+#include "tests/costmap/ascii_map.hpp"
 #include "tests/pictures/read_png.hpp"
 
 namespace alignability {
@@ -104,6 +106,48 @@ TEST_F(ScanPicture, TheWeakestDirectionIsDrawnToBothSidesOfTheSensor) {
 TEST_F(ScanPicture, ARangeLeavesOutWhatLiesBeyond) {
   const Picture picture = drawn(corner(), {.title = "", .lines = {}, .weakest_direction = {}, .range = 5.0});
   EXPECT_LT(picture.count(detail::category_colour(0)), 300) << "the legend's patch alone";
+}
+
+// The sensor at (30, 20), turned to the left: what was ahead of it, plane 0, is up.
+TEST_F(ScanPicture, InMapTheScanIsTurnedAsTheSensorWas) {
+  ScanPictureOptions options;
+  options.T_map_lidar = Eigen::Translation3d(30.0, 20.0, 1.9) * Eigen::AngleAxisd(radians(90.0), Eigen::Vector3d::UnitZ());
+  const Picture picture = drawn(corner(), options);
+  const Eigen::Vector2d ahead = middle_of(picture, detail::category_colour(0));
+  const Eigen::Vector2d left = middle_of(picture, detail::category_colour(1));
+  EXPECT_LT(ahead.y(), left.y() - 300.0);
+  EXPECT_LT(left.x(), ahead.x() - 300.0);
+}
+
+TEST_F(ScanPicture, InMapTheWallsAreDrawnBeneath) {
+  const OccupancyMap occupancy = ascii_map(1.0, {"####", "...?", "...."}, {-2.0, 0.0});
+  ScanPictureOptions options;
+  options.occupancy = &occupancy;
+  const Colour wall = detail::wall_colour(detail::Tone::pale);
+  EXPECT_LT(drawn(corner(), options).count(wall), 100) << "but for edges of letters: its place in the map is not known";
+  options.T_map_lidar = Eigen::Isometry3d::Identity();
+  const Picture picture = drawn(corner(), options);
+  EXPECT_GT(picture.count(wall), 5000);
+  EXPECT_EQ(picture.count(detail::category_colour(0)), drawn(corner()).count(detail::category_colour(0))) << "and cover no point";
+}
+
+TEST_F(ScanPicture, TheLargestPlanesHaveColoursOfTheirOwnWhateverTheirNumbers) {
+  Labelled scan;
+  for (int plane = 0; plane < 13; ++plane) {
+    const float x = static_cast<float>((plane + 1) % 13);
+    const int walls = plane == 12 ? 2 : 1;
+    for (int i = 0; i < walls; ++i) scan.add_wall({x, -5.0f, 0.0f}, {x, 5.0f, 0.0f}, plane);
+  }
+  const Picture picture = drawn(scan);
+  const double largest = middle_of(picture, detail::category_colour(0)).x();
+  EXPECT_GT(middle_of(picture, detail::category_colour(1)).x(), largest + 20.0) << "plane 12 is at the left, plane 0 beside it";
+  EXPECT_GT(middle_of(picture, detail::mixed(detail::category_colour(12), detail::kWhite, 0.5)).x(), largest + 300.0) << "the last is pale";
+}
+
+TEST_F(ScanPicture, PlanesWithLabelsHaveAWiderKey) {
+  ScanPictureOptions options;
+  options.plane_labels = {"wall 180 deg: 51.3 %, holds 100.0 %"};
+  EXPECT_GT(drawn(corner(), options).width(), drawn(corner()).width());
 }
 
 TEST_F(ScanPicture, AnEmptyScanAndAHundredPlanesAreDrawn) {

@@ -1,0 +1,29 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <vector>
+
+#include "lidar/scan.hpp"
+
+namespace alignability::detail {
+
+/// The points of each segment by their place in the scan; `segment_of_point` counts from 0, -1 = none.
+std::vector<std::vector<std::size_t>> members_of(const std::vector<int>& segment_of_point, int segments);
+
+/// The principal axes of a segment's points, the narrowest first, and how the points spread along them [m].
+struct SegmentShape {
+  Eigen::Vector3d center;
+  Eigen::Matrix3d axes;         ///< by column; signs arbitrary
+  Eigen::Vector3d eigenvalues;  ///< of the points' covariance, ascending
+  Eigen::Vector3d extents;      ///< of the oriented bounding box along the axes
+
+  /// λ_s/λ_l; 0 for points that are all one.
+  double flatness() const;
+  /// The two largest extents, multiplied.
+  double area() const;
+};
+
+SegmentShape shape_of(const Scan& scan, const std::vector<std::size_t>& members);
+
+}  // namespace alignability::detail
