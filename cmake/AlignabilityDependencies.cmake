@@ -1,4 +1,4 @@
-# What each room stands on. Read by the build, for the rooms that it builds.
+# What each room stands on. Read by the build, for the rooms that it builds, and by the installed package, for the components asked for.
 #
 #   ROOM_beneath   other rooms
 #   ROOM_public    packages whose headers its own include: needed by whoever compiles against it
