@@ -12,7 +12,10 @@ set_tests_properties(Consumer.InstallsThePackage PROPERTIES FIXTURES_SETUP packa
 
 add_test(NAME Consumer.FindsTheComponentsAskedForAndWhatTheyNeed
   COMMAND ${configure} -S ${CMAKE_CURRENT_LIST_DIR}/components -B ${consumer}/components)
-set(consumer_tests Consumer.FindsTheComponentsAskedForAndWhatTheyNeed)
+add_test(NAME Consumer.EmbedsThePlannerWithoutPclAndEmbree
+  COMMAND ${CMAKE_COMMAND} -D CONSUMER=${consumer} -D GENERATOR=${CMAKE_GENERATOR}
+    -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
+set(consumer_tests Consumer.FindsTheComponentsAskedForAndWhatTheyNeed Consumer.EmbedsThePlannerWithoutPclAndEmbree)
 
 # A header reads the same under a sanitizer.
 if(NOT ALIGNABILITY_SANITIZE)
