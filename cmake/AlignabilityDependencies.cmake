@@ -1,31 +1,46 @@
-# The packages that the chosen rooms stand on. Debian's OMPL and PCL give CMake more than is needed (names of Boost libraries, a bare
-# `ode`, VTK, Qt, MPI_C): a target for just the library and its headers is enough.
+# What each room stands on. Read by the build, for the rooms that it builds, and by the installed package, for the components asked for.
+#
+#   ROOM_beneath   other rooms
+#   ROOM_public    packages whose headers its own include: needed by whoever compiles against it
+#   ROOM_private   packages of its sources alone: needed by whoever links it, if it is a static library
+#
+# A package is written as find_package takes it. Those called Alignability… are find modules beside this file.
 
-find_package(Threads REQUIRED)
-find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(yaml-cpp REQUIRED)
-find_package(TIFF REQUIRED)
-find_package(PNG REQUIRED)
-find_package(Boost 1.74 REQUIRED)
+set(alignability_rooms core costmap planner lidar alignability pictures cli)  # in the order the data flows: an arrow never points back
 
-if(planner IN_LIST ALIGNABILITY_ROOMS)
-  include(AlignabilityOmpl)
-endif()
-if(lidar IN_LIST ALIGNABILITY_ROOMS)
-  find_package(embree 3 REQUIRED)
-  find_package(sdformat12 REQUIRED)
-  find_package(assimp REQUIRED)
-  find_package(EXPAT REQUIRED)
-  find_package(TBB REQUIRED)
-endif()
-if(alignability IN_LIST ALIGNABILITY_ROOMS)
-  include(AlignabilityPcl)
-endif()
-if(pictures IN_LIST ALIGNABILITY_ROOMS)
-  find_package(PkgConfig REQUIRED)
-  pkg_check_modules(cairomm REQUIRED IMPORTED_TARGET cairomm-1.16)
-endif()
-if(cli IN_LIST ALIGNABILITY_ROOMS)
-  find_package(CLI11 REQUIRED)
-  find_package(nlohmann_json REQUIRED)
-endif()
+set(alignability_core_public "Eigen3 3.4 CONFIG")
+set(alignability_core_private yaml-cpp)
+
+set(alignability_costmap_beneath core)
+set(alignability_costmap_private yaml-cpp TIFF PNG)
+
+set(alignability_planner_beneath costmap)
+set(alignability_planner_public "Boost 1.74 CONFIG" AlignabilityOmpl)
+set(alignability_planner_private yaml-cpp)
+
+set(alignability_lidar_beneath core)
+set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat12 assimp)
+
+set(alignability_alignability_beneath costmap lidar)
+set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)
+
+set(alignability_pictures_beneath costmap)
+set(alignability_pictures_private AlignabilityCairomm)
+
+set(alignability_cli_beneath alignability planner pictures)
+set(alignability_cli_private CLI11 nlohmann_json)
+
+# alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.
+function(alignability_with_beneath variable)
+  set(wanted ${ARGN})
+  set(ordered)
+  set(downwards ${alignability_rooms})
+  list(REVERSE downwards)
+  foreach(room IN LISTS downwards)
+    if(room IN_LIST wanted)
+      list(APPEND wanted ${alignability_${room}_beneath})
+      list(PREPEND ordered ${room})
+    endif()
+  endforeach()
+  set(${variable} ${ordered} PARENT_SCOPE)
+endfunction()

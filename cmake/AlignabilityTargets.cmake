@@ -1,5 +1,7 @@
 # One way to declare a target, so that every room is built and installed alike.
 
+set(alignability_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/alignability)
+
 # What every target of ours is compiled with; nothing of it reaches a consumer.
 function(alignability_compile_privately target)
   target_compile_features(${target} PUBLIC cxx_std_20)
@@ -24,10 +26,11 @@ function(alignability_add_library room)
   add_library(alignability::${room} ALIAS ${target})
   alignability_compile_privately(${target})
   target_sources(${target} PUBLIC FILE_SET HEADERS BASE_DIRS ${PROJECT_SOURCE_DIR} FILES ${arg_HEADERS})
-  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room}
+  # Installed libraries find one another wherever the prefix is.
+  set_target_properties(${target} PROPERTIES EXPORT_NAME ${room} INSTALL_RPATH "$ORIGIN"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(TARGETS ${target} EXPORT alignability-${room}
     FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alignability)
   install(EXPORT alignability-${room} NAMESPACE alignability::
-    FILE alignability-${room}-targets.cmake DESTINATION ${CMAKE_INSTALL_LIBDIR}/cmake/alignability)
+    FILE alignability-${room}-targets.cmake DESTINATION ${alignability_package_folder})
 endfunction()

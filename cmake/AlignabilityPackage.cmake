@@ -1,0 +1,18 @@
+# What find_package(alignability) reads: the configuration, and what it takes to find the packages that the built rooms leave to a consumer.
+include(CMakePackageConfigHelpers)
+configure_file(${PROJECT_SOURCE_DIR}/cmake/alignability-config.cmake.in ${PROJECT_BINARY_DIR}/alignability-config.cmake @ONLY)
+write_basic_package_version_file(${PROJECT_BINARY_DIR}/alignability-config-version.cmake COMPATIBILITY SameMinorVersion)
+set(package_files ${PROJECT_BINARY_DIR}/alignability-config.cmake ${PROJECT_BINARY_DIR}/alignability-config-version.cmake
+  ${PROJECT_SOURCE_DIR}/cmake/AlignabilityDependencies.cmake)
+foreach(room IN LISTS ALIGNABILITY_ROOMS)
+  set(packages ${alignability_${room}_public})
+  if(NOT BUILD_SHARED_LIBS)
+    list(APPEND packages ${alignability_${room}_private})
+  endif()
+  foreach(package IN LISTS packages)
+    if(EXISTS ${PROJECT_SOURCE_DIR}/cmake/Find${package}.cmake)
+      list(APPEND package_files ${PROJECT_SOURCE_DIR}/cmake/Find${package}.cmake)
+    endif()
+  endforeach()
+endforeach()
+install(FILES ${package_files} DESTINATION ${alignability_package_folder})

@@ -1,0 +1,31 @@
+# What strangers do with the installed package, each a CMake project outside of this one. All stand on the first test.
+set(consumer ${PROJECT_BINARY_DIR}/consumer)
+if(ALIGNABILITY_SANITIZE)
+  set(sanitizer_flag -fsanitize=${ALIGNABILITY_SANITIZE})
+endif()
+configure_file(${CMAKE_CURRENT_LIST_DIR}/stranger.cmake.in ${consumer}/stranger.cmake @ONLY)
+set(configure ${CMAKE_COMMAND} --fresh -G ${CMAKE_GENERATOR} -C ${consumer}/stranger.cmake)
+
+add_test(NAME Consumer.InstallsThePackage
+  COMMAND ${CMAKE_COMMAND} -D BUILD=${PROJECT_BINARY_DIR} -D PREFIX=${consumer}/prefix -P ${CMAKE_CURRENT_LIST_DIR}/install.cmake)
+set_tests_properties(Consumer.InstallsThePackage PROPERTIES FIXTURES_SETUP package)
+
+add_test(NAME Consumer.FindsTheComponentsAskedForAndWhatTheyNeed
+  COMMAND ${configure} -S ${CMAKE_CURRENT_LIST_DIR}/components -B ${consumer}/components)
+add_test(NAME Consumer.EmbedsThePlannerWithoutPclAndEmbree
+  COMMAND ${CMAKE_COMMAND} -D CONSUMER=${consumer} -D GENERATOR=${CMAKE_GENERATOR}
+    -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
+set(consumer_tests Consumer.FindsTheComponentsAskedForAndWhatTheyNeed Consumer.EmbedsThePlannerWithoutPclAndEmbree)
+
+# A header reads the same under a sanitizer.
+if(NOT ALIGNABILITY_SANITIZE)
+  add_test(NAME Consumer.FindsAllThatTheHeadersInclude
+    COMMAND ${CMAKE_CTEST_COMMAND} --build-and-test ${CMAKE_CURRENT_LIST_DIR}/headers ${consumer}/headers
+      --build-generator ${CMAKE_GENERATOR} --build-options -C ${consumer}/stranger.cmake)
+  list(APPEND consumer_tests Consumer.FindsAllThatTheHeadersInclude)
+endif()
+if(cli IN_LIST ALIGNABILITY_ROOMS)
+  add_test(NAME Consumer.RunsTheInstalledProgram COMMAND ${consumer}/prefix/${CMAKE_INSTALL_BINDIR}/alignability --version)
+  list(APPEND consumer_tests Consumer.RunsTheInstalledProgram)
+endif()
+set_tests_properties(${consumer_tests} PROPERTIES FIXTURES_REQUIRED package TIMEOUT 600)
