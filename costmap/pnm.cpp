@@ -20,7 +20,9 @@ class PnmReader {
     header_.width = number();
     header_.height = number();
     header_.brightest = is_bitmap() ? 1 : number();
-    if (header_.brightest == 0) throw PnmError("white is 0");
+    if (header_.brightest == 0 || header_.brightest > GreyImage::kFull) {
+      throw PnmError("white is " + std::to_string(header_.brightest) + ", which must be from 1 to 65535");
+    }
     if (!is_text()) next_byte();  // the one space before the pixels
   }
 
@@ -29,12 +31,12 @@ class PnmReader {
   bool is_bitmap() const { return format_ == '1' || format_ == '4'; }
 
   void begin_row() { bits_left_ = 0; }
-  // The next value, from 0 black to 255 white.
-  std::uint8_t value() {
-    if (is_bitmap()) return bit() ? 0 : 255;
-    const std::uint64_t value = is_text() ? number() : next_byte();
+  // The next value, from 0 black to 65535 white.
+  std::uint16_t value() {
+    if (is_bitmap()) return bit() ? 0 : GreyImage::kFull;
+    const std::uint64_t value = is_text() ? number() : header_.brightest > 255 ? next_two_bytes() : next_byte();
     if (value > header_.brightest) throw PnmError("a value is above " + std::to_string(header_.brightest));
-    return static_cast<std::uint8_t>((2 * 255 * value + header_.brightest) / (2 * header_.brightest));
+    return static_cast<std::uint16_t>((2 * GreyImage::kFull * value + header_.brightest) / (2 * header_.brightest));
   }
 
  private:
@@ -45,6 +47,11 @@ class PnmReader {
     const char byte = rest_.front();
     rest_.remove_prefix(1);
     return static_cast<std::uint8_t>(byte);
+  }
+
+  std::uint64_t next_two_bytes() {
+    const std::uint64_t high = next_byte();
+    return 256 * high + next_byte();
   }
 
   void skip_space_and_comments() {
@@ -97,11 +104,11 @@ GreyImage decode_pnm(const std::string& bytes) {
   for (int row = 0; row < image.height; ++row) {
     reader.begin_row();
     for (int x = 0; x < image.width; ++x) {
-      const std::uint8_t first = reader.value();
+      const std::uint16_t first = reader.value();
       const bool coloured = reader.channels() == 3;
-      const std::uint8_t second = coloured ? reader.value() : first;
-      const std::uint8_t third = coloured ? reader.value() : first;
-      image.rgba.insert(image.rgba.end(), {first, second, third, 255});
+      const std::uint16_t second = coloured ? reader.value() : first;
+      const std::uint16_t third = coloured ? reader.value() : first;
+      image.rgba.insert(image.rgba.end(), {first, second, third, GreyImage::kFull});
     }
   }
   return image;

@@ -12,7 +12,7 @@ namespace alignability::detail {
 struct PnmHeader {
   std::uint64_t width;
   std::uint64_t height;
-  std::uint64_t brightest;  ///< the value of white
+  std::uint64_t brightest;  ///< the value of white, at most 65535
 };
 
 class PnmError : public std::runtime_error {

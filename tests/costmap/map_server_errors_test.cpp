@@ -81,25 +81,28 @@ const std::string kPngHeader("\x89PNG\r\n\x1a\n\0\0\0\rIHDR", 16);
 
 INSTANTIATE_TEST_SUITE_P(
     Table, MapServerRefusesImage,
-    ::testing::Values(
-        ImageFault{"", "is neither a PNG nor a PGM, PPM or PBM"}, ImageFault{"P", "is neither"}, ImageFault{"P7\n1 1\n", "is neither"},
-        ImageFault{"GIF89a", "is neither"}, ImageFault{std::string(1000, '\0'), "is neither"}, ImageFault{"P5", "is neither"},
-        ImageFault{"P5\n", "damaged PNM"}, ImageFault{"P5\n3", "damaged PNM"}, ImageFault{"P5\n3 3\n", "damaged PNM"},
-        ImageFault{"P5\nthree 3\n255\n123456789", "damaged PNM"}, ImageFault{"P5\n-3 -3\n255\n123456789", ""},
-        ImageFault{"P5\n0 0\n255\n", "has no pixels"}, ImageFault{"P5\n3 3\n255\n12345", "damaged PNM"},
-        ImageFault{"P5\n3 3\n255\n", "damaged PNM"}, ImageFault{"P2\n3 3\n255\n1 2 3 4\n", "damaged PNM"},
-        ImageFault{"P2\n3 1\n255\n1 two 3\n", "damaged PNM"}, ImageFault{"P2\n3 1\n255\n1 -2 3\n", "damaged PNM"},
-        ImageFault{"P2\n3 1\n255\n1 256 3\n", "damaged PNM"}, ImageFault{"P2\n3 1\n100\n1 101 3\n", "damaged PNM"},
-        ImageFault{"P2\n3 1\n255\n1 99999999999999999999999 3\n", "damaged PNM"}, ImageFault{"P3\n1 1\n255\n1 2\n", "damaged PNM"},
-        ImageFault{"P6\n2 1\n255\n1234", "damaged PNM"}, ImageFault{"P1\n3 3\n1 0 1\n", "damaged PNM"},
-        ImageFault{"P4\n16 3\n1", "damaged PNM"},
-        ImageFault{"P5\n3 3\n65535\n123456789123456789", "has 65535 for white; at most 255 is read"},
-        ImageFault{"P5\n3 3\n0\n123456789", "damaged PNM: white is 0"}, ImageFault{"P5\n3 1\n255", "damaged PNM: it ends early"},
-        ImageFault{"P5\n3 1\n100\n12\xff", "damaged PNM: a value is above 100"},
-        ImageFault{"P5\n100000 100000\n255\n0", "says that it is 100000 × 100000 pixels, more than it can hold"},
-        ImageFault{"P5\n4294967297 1\n255\n0", ""}, ImageFault{"P5\n99999999999999999999 1\n255\n0", ""},
-        ImageFault{"P2\n100000 100000\n255\n0", "says that it is 100000 × 100000 pixels"}, ImageFault{"\x89PNG", "not a PNG"},
-        ImageFault{kPngHeader, "not a PNG"}, ImageFault{kPngHeader + std::string("\0\1\0\0\0\1\0\0\10\0\0\0\0\0\0\0\0", 17), ""}));
+    ::testing::Values(ImageFault{"", "is neither a PNG nor a PGM, PPM or PBM"}, ImageFault{"P", "is neither"},
+                      ImageFault{"P7\n1 1\n", "is neither"}, ImageFault{"GIF89a", "is neither"},
+                      ImageFault{std::string(1000, '\0'), "is neither"}, ImageFault{"P5", "is neither"}, ImageFault{"P5\n", "damaged PNM"},
+                      ImageFault{"P5\n3", "damaged PNM"}, ImageFault{"P5\n3 3\n", "damaged PNM"},
+                      ImageFault{"P5\nthree 3\n255\n123456789", "damaged PNM"}, ImageFault{"P5\n-3 -3\n255\n123456789", ""},
+                      ImageFault{"P5\n0 0\n255\n", "has no pixels"}, ImageFault{"P5\n3 3\n255\n12345", "damaged PNM"},
+                      ImageFault{"P5\n3 3\n255\n", "damaged PNM"}, ImageFault{"P2\n3 3\n255\n1 2 3 4\n", "damaged PNM"},
+                      ImageFault{"P2\n3 1\n255\n1 two 3\n", "damaged PNM"}, ImageFault{"P2\n3 1\n255\n1 -2 3\n", "damaged PNM"},
+                      ImageFault{"P2\n3 1\n255\n1 256 3\n", "damaged PNM"}, ImageFault{"P2\n3 1\n100\n1 101 3\n", "damaged PNM"},
+                      ImageFault{"P2\n3 1\n255\n1 99999999999999999999999 3\n", "damaged PNM"},
+                      ImageFault{"P3\n1 1\n255\n1 2\n", "damaged PNM"}, ImageFault{"P6\n2 1\n255\n1234", "damaged PNM"},
+                      ImageFault{"P1\n3 3\n1 0 1\n", "damaged PNM"}, ImageFault{"P4\n16 3\n1", "damaged PNM"},
+                      ImageFault{"P5\n3 3\n65536\n123456789123456789", "damaged PNM: white is 65536, which must be from 1 to 65535"},
+                      ImageFault{"P5\n3 3\n0\n123456789", "damaged PNM: white is 0, which must be from 1 to 65535"},
+                      ImageFault{"P5\n3 3\n65535\n12345678912345678", "damaged PNM: it ends early"},
+                      ImageFault{"P5\n3 1\n255", "damaged PNM: it ends early"},
+                      ImageFault{"P5\n3 1\n100\n12\xff", "damaged PNM: a value is above 100"},
+                      ImageFault{"P5\n100000 100000\n255\n0", "says that it is 100000 × 100000 pixels, more than it can hold"},
+                      ImageFault{"P5\n4294967297 1\n255\n0", ""}, ImageFault{"P5\n99999999999999999999 1\n255\n0", ""},
+                      ImageFault{"P2\n100000 100000\n255\n0", "says that it is 100000 × 100000 pixels"},
+                      ImageFault{"\x89PNG", "damaged PNG: it ends early"}, ImageFault{kPngHeader, "damaged PNG: it ends early"},
+                      ImageFault{kPngHeader + std::string("\0\1\0\0\0\1\0\0\10\0\0\0\0\0\0\0\0", 17), ""}));
 
 TEST(MapServerErrors, AMissingImageIsNamed) {
   const TemporaryFolder folder;
