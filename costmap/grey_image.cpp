@@ -86,13 +86,9 @@ class PngReader {
 };
 
 GreyImage read_pnm(const std::filesystem::path& file, const std::string& bytes) {
-  try {
-    const PnmHeader header = read_pnm_header(bytes);
-    check_size(file, header.width, header.height, 8 * bytes.size());
-    return decode_pnm(bytes);
-  } catch (const PnmError& error) {
-    throw InputError(file, std::string("damaged PNM: ") + error.what());
-  }
+  const PnmHeader header = read_pnm_header(bytes, file);
+  check_size(file, header.width, header.height, 8 * bytes.size());
+  return decode_pnm(bytes, file);
 }
 
 }  // namespace
