@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <array>
 #include <cstdio>
-#include <iostream>
 
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -21,13 +20,8 @@ struct Options {
   std::optional<std::filesystem::path> output;
 };
 
-bool solved(const Comparison& comparison) {
-  return comparison.shortest.status == PlanStatus::solved && comparison.risk_aware.status == PlanStatus::solved;
-}
-
-void write_files(const PlanProblem& problem, const Comparison& comparison, const std::filesystem::path& name) {
+void write_files(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name) {
   if (solved(comparison)) {
-    const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
     const std::array paths{drawn(comparison.risk_aware, risk, "risk-aware", kRiskAwareColour, LineStyle::solid),
                            drawn(comparison.shortest, risk, "shortest", kShortestColour, LineStyle::dashed)};
     write_path_csv(comparison.shortest, risk, with_ending(name, "_shortest.csv"));
@@ -60,14 +54,14 @@ void print_table(const Comparison& comparison) {
 int run(const Options& options) {
   const Interrupt interrupt;
   const PlanProblem problem = load(options.problem);
-  const Comparison comparison = compare(problem, {.stop = interrupt.token()});
+  const PlanningFields fields(problem);
+  const Comparison comparison = compare(problem.query, fields, {.stop = interrupt.token()});
   if (interrupt.token().stop_requested()) throw Interrupted();
-  if (options.output) write_files(problem, comparison, output_name(*options.output));
+  if (options.output) write_files(problem, *fields.risk, comparison, output_name(*options.output));
   if (options.json) print({compare_json(comparison)});
   if (!solved(comparison)) {
     const PlanResult& failed = comparison.shortest.status != PlanStatus::solved ? comparison.shortest : comparison.risk_aware;
-    std::cerr << options.problem.file.string() << ": " << explanation(failed) << '\n';
-    return kNo;
+    return say_no(options.problem.file, failed);
   }
   if (!options.json) print_table(comparison);
   return kYes;

@@ -28,7 +28,13 @@ Json options_json(const PlanQuery& query) {
   } else {
     planner["time"] = query.planner.time;
   }
-  return {{"robot", {{"radius", query.robot.radius}}},
+  Json robot{{"radius", query.robot.radius}};
+  if (!query.robot.footprint.empty()) {
+    Json corners = Json::array();
+    for (const Eigen::Vector2d& at : query.robot.footprint) corners.push_back({at.x(), at.y()});
+    robot = {{"footprint", corners}};
+  }
+  return {{"robot", robot},
           {"motion", {{"space", query.motion.space == MotionSpace::r2 ? "r2" : "se2"}, {"turn_cost", query.motion.turn_cost}}},
           {"start", pose(query.start)},
           {"goal", pose(query.goal)},

@@ -3,7 +3,9 @@
 
 #include <cmath>
 #include <cstdio>
+#include <iostream>
 
+#include "cli/command.hpp"
 #include "core/file.hpp"
 #include "core/range.hpp"
 #include "planner/path_figures.hpp"
@@ -12,6 +14,30 @@ namespace alignability::cli {
 namespace {
 
 constexpr double kStep = 0.1;
+
+const char* explanation(PlanStatus status) {
+  switch (status) {
+    case PlanStatus::solved:
+      return "solved";
+    case PlanStatus::no_path:
+      return "there is no path: the goal is walled off";
+    case PlanStatus::timeout:
+      return "no path was found in the time given; try a longer --time or another --planner";
+    case PlanStatus::infeasible:
+      return "no path keeps the limits";
+    case PlanStatus::start_in_collision:
+      return "the robot collides at the start";
+    case PlanStatus::goal_in_collision:
+      return "the robot collides at the goal";
+    case PlanStatus::start_outside_map:
+      return "the start lies off the map";
+    case PlanStatus::goal_outside_map:
+      return "the goal lies off the map";
+    case PlanStatus::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
 
 }  // namespace
 
@@ -34,31 +60,17 @@ DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::stri
 }
 
 PathPictureOptions picture_options(const PlanQuery& query, const std::string& title) {
-  return {.title = title, .risk = query.risk, .start = query.start, .goal = query.goal, .robot_radius = query.robot.radius};
+  return {.title = title,
+          .risk = query.risk,
+          .start = query.start,
+          .goal = query.goal,
+          .robot_radius = query.robot.radius,
+          .footprint = query.robot.footprint};
 }
 
-std::string explanation(const PlanResult& result) {
-  switch (result.status) {
-    case PlanStatus::solved:
-      return "solved";
-    case PlanStatus::no_path:
-      return "there is no path: the goal is walled off";
-    case PlanStatus::timeout:
-      return "no path was found in the time given; try a longer --time or another --planner";
-    case PlanStatus::infeasible:
-      return "no path keeps the limits";
-    case PlanStatus::start_in_collision:
-      return "the robot collides at the start";
-    case PlanStatus::goal_in_collision:
-      return "the robot collides at the goal";
-    case PlanStatus::start_outside_map:
-      return "the start lies off the map";
-    case PlanStatus::goal_outside_map:
-      return "the goal lies off the map";
-    case PlanStatus::interrupted:
-      return "interrupted";
-  }
-  return "";
+int say_no(const std::filesystem::path& problem_file, const PlanResult& result) {
+  std::cerr << problem_file.string() << ": " << explanation(result.status) << '\n';
+  return kNo;
 }
 
 }  // namespace alignability::cli

@@ -17,7 +17,7 @@ DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::stri
 
 PathPictureOptions picture_options(const PlanQuery& query, const std::string& title);
 
-/// Why there is no path, in a sentence.
-std::string explanation(const PlanResult& result);
+/// Tells on stderr why there is no path; the exit code.
+int say_no(const std::filesystem::path& problem_file, const PlanResult& result);
 
 }  // namespace alignability::cli

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
-#include <iostream>
 
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -20,9 +19,8 @@ struct Options {
   std::optional<std::filesystem::path> output;
 };
 
-void write_files(const PlanProblem& problem, const PlanResult& result, const std::filesystem::path& name) {
+void write_files(const PlanProblem& problem, const RiskField& risk, const PlanResult& result, const std::filesystem::path& name) {
   if (result.status == PlanStatus::solved) {
-    const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
     const DrawnPath path = drawn(result, risk, result.query.planner.name, kRiskAwareColour, LineStyle::solid);
     write_path_csv(result, risk, with_ending(name, ".csv"));
     draw_paths(problem.alignability, problem.occupancy, {&path, 1}, picture_options(problem.query, name.filename().string()),
@@ -43,14 +41,12 @@ void print_figures(const PlanResult& result) {
 int run(const Options& options) {
   const Interrupt interrupt;
   const PlanProblem problem = load(options.problem);
-  const PlanResult result = plan(problem, {.stop = interrupt.token()});
+  const PlanningFields fields(problem);
+  const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
   if (result.status == PlanStatus::interrupted) throw Interrupted();
-  if (options.output) write_files(problem, result, output_name(*options.output));
+  if (options.output) write_files(problem, *fields.risk, result, output_name(*options.output));
   if (options.json) print({plan_json(result)});
-  if (result.status != PlanStatus::solved) {
-    std::cerr << options.problem.file.string() << ": " << explanation(result) << '\n';
-    return kNo;
-  }
+  if (result.status != PlanStatus::solved) return say_no(options.problem.file, result);
   if (!options.json) print_figures(result);
   return kYes;
 }

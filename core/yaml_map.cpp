@@ -106,6 +106,19 @@ std::optional<std::vector<double>> YamlMap::find_numbers(std::string_view key, s
   return values;
 }
 
+std::optional<std::vector<Eigen::Vector2d>> YamlMap::find_points(std::string_view key, const Range& allowed) {
+  const auto node = find(key);
+  if (!node) return std::nullopt;
+  const std::string message = in_quotes(key) + " must be a list of points [x, y]";
+  if (!node->IsSequence()) fail_at(*node, message);
+  std::vector<Eigen::Vector2d> points;
+  for (const YAML::Node& item : *node) {
+    if (!item.IsSequence() || item.size() != 2) fail_at(item, message);
+    points.emplace_back(to_number(item[0], key, allowed), to_number(item[1], key, allowed));
+  }
+  return points;
+}
+
 std::optional<std::vector<std::string>> YamlMap::find_texts(std::string_view key) {
   const auto node = find(key);
   if (!node) return std::nullopt;
@@ -190,7 +203,7 @@ void YamlMap::fail(std::string_view key, std::string_view message) const {
 
 // The likeliest cause of a missing key is a misspelt one, so those are looked for first.
 void YamlMap::fail_missing(std::string_view key) const {
-  const std::vector<std::string> missing{std::string(key)};
+  const std::vector<std::string> missing(asked_for_.begin(), asked_for_.end());
   for (const auto& entry : node_) {
     const std::string& given = entry.first.Scalar();
     if (asked_for_.contains(given)) continue;

@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <Eigen/Core>
 #include <cstdint>
 #include <filesystem>
 #include <optional>
@@ -45,6 +46,8 @@ class YamlMap {
   /// Exactly `count` numbers.
   std::vector<double> numbers(std::string_view key, std::size_t count, const Range& allowed);
   std::optional<std::vector<double>> find_numbers(std::string_view key, std::size_t count, const Range& allowed);
+  /// [[x, y], …].
+  std::optional<std::vector<Eigen::Vector2d>> find_points(std::string_view key, const Range& allowed);
   std::optional<std::vector<std::string>> find_texts(std::string_view key);
   std::vector<std::string> texts(std::string_view key);
   std::optional<YamlMap> find_map(std::string_view key);

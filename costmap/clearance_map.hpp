@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "costmap/grid.hpp"
@@ -26,6 +27,12 @@ class ClearanceMap {
   /// resolution³).
   bool is_clear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const;
 
+  /// Whether the convex hull of some points, grown by `margin` [m] along both axes, lies on free cells alone; brushing others by less
+  /// than a billionth of a cell is allowed. O(cells covered · points²).
+  bool is_clear(std::span<const Eigen::Vector2d> hull, double margin) const;
+
+  /// False off the map.
+  bool is_free(Cell cell) const { return geometry().contains(cell) && column_gap_[cell] != 0; }
   /// distance() at the cell's centre.
   double distance_at(Cell cell) const { return center_distance_[cell]; }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures/path_layer.hpp"
 
+#include <Eigen/Geometry>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -86,10 +87,31 @@ void draw_disc(const Context& context, const Eigen::Vector2d& at, double radius,
   context->fill();
 }
 
-void draw_footprint(const Context& context, const Eigen::Vector2d& at, double radius) {
-  if (radius <= kMarkerRadius) return;
+// The robot's outline at a pose, in pixels.
+Polyline outline_at(const View& view, const Pose2& pose, const PathPictureOptions& robot) {
+  Polyline outline;
+  for (const Eigen::Vector2d& corner : robot.footprint) {
+    outline.push_back(view.to_pixel(pose.position() + Eigen::Rotation2Dd(pose.yaw) * corner));
+  }
+  constexpr int kCorners = 64;
+  for (int i = 0; outline.size() < kCorners && robot.footprint.empty(); ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / kCorners;
+    outline.push_back(view.to_pixel(pose.position() + robot.robot_radius * Eigen::Vector2d(std::cos(angle), std::sin(angle))));
+  }
+  return outline;
+}
+
+// How far the robot's outline reaches from its pose [px].
+double reach_of(const View& view, const PathPictureOptions& robot) {
+  double reach = robot.footprint.empty() ? robot.robot_radius : 0.0;
+  for (const Eigen::Vector2d& corner : robot.footprint) reach = std::max(reach, corner.norm());
+  return reach * view.scale;
+}
+
+void draw_footprint(const Context& context, const Polyline& outline) {
   context->begin_new_path();
-  context->arc(at.x(), at.y(), radius, 0.0, 2.0 * std::numbers::pi);
+  for (const Eigen::Vector2d& corner : outline) context->line_to(corner.x(), corner.y());
+  context->close_path();
   set_colour(context, kWhite, 0.55);
   context->fill_preserve();
   set_colour(context, kInk);
@@ -147,9 +169,9 @@ struct Marker {
   Colour middle;
 };
 
-void draw_marker(const Context& context, const View& view, const Marker& marker, double robot_radius) {
+void draw_marker(const Context& context, const View& view, const Marker& marker, const PathPictureOptions& robot) {
   const Eigen::Vector2d at = view.to_pixel(marker.pose.position());
-  draw_footprint(context, at, robot_radius * view.scale);
+  if (reach_of(view, robot) > kMarkerRadius) draw_footprint(context, outline_at(view, marker.pose, robot));
   draw_heading(context, at, marker.pose.yaw);
   draw_disc(context, at, kMarkerRadius + 2.0, kWhite);
   draw_disc(context, at, kMarkerRadius, kInk);
@@ -159,10 +181,10 @@ void draw_marker(const Context& context, const View& view, const Marker& marker,
 
 // Below, above, right or left of the marker, where the label hides least.
 void draw_marker_label(const Context& context, const View& view, const Marker& marker, std::span<const Polyline> lines,
-                       double robot_radius) {
+                       const PathPictureOptions& robot) {
   const double width = text_width(marker.name, kLabelSize, Weight::bold) + 8.0;
   const double height = capital_height(kLabelSize) + 10.0;
-  const double away = std::max(3.3 * kMarkerRadius, robot_radius * view.scale + 4.0);
+  const double away = std::max(3.3 * kMarkerRadius, reach_of(view, robot) + 4.0);
   const Eigen::Vector2d at = view.to_pixel(marker.pose.position());
   const std::array<Eigen::Vector2d, 4> centers = {
       at + Eigen::Vector2d(0.0, away + 0.5 * height), at - Eigen::Vector2d(0.0, away + 0.5 * height),
@@ -185,8 +207,8 @@ void draw_path_layer(const Context& context, const View& view, std::span<const D
   if (options.start) markers.push_back({"start", *options.start, kWhite});
   if (options.goal) markers.push_back({"goal", *options.goal, kInk});
   const std::vector<Polyline> lines = sampled(view, paths);
-  for (const Marker& marker : markers) draw_marker(context, view, marker, options.robot_radius);
-  for (const Marker& marker : markers) draw_marker_label(context, view, marker, lines, options.robot_radius);
+  for (const Marker& marker : markers) draw_marker(context, view, marker, options);
+  for (const Marker& marker : markers) draw_marker_label(context, view, marker, lines, options);
   context->restore();
 }
 

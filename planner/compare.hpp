@@ -11,7 +11,11 @@ struct Comparison {
   PlanResult risk_aware;  ///< w as asked
 };
 
+/// Whether both were.
+bool solved(const Comparison& comparison);
+
 /// Plans both, each with the planner and the bound of the query. Throws as plan does.
+Comparison compare(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 Comparison compare(const PlanProblem& problem, const PlanOptions& options);
 
 }  // namespace alignability

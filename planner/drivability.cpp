@@ -29,7 +29,7 @@ bool DrivabilityMotionValidator::checkMotion(const ob::State* from, const ob::St
   if (checkMotion(from, to)) return true;
   const Pose2 a = projection_(from);
   const Pose2 b = projection_(to);
-  const auto clear_until = [&](double share) { return area_.contains(a, {a.x + share * (b.x - a.x), a.y + share * (b.y - a.y), a.yaw}); };
+  const auto clear_until = [&](double share) { return area_.contains(a, between(a, b, share)); };
   double valid = 0.0;
   double invalid = 1.0;
   while (invalid - valid > 1e-9) {

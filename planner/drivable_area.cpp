@@ -3,22 +3,49 @@
 
 #include <Eigen/Geometry>
 #include <numbers>
+#include <stdexcept>
 #include <vector>
 
+#include "core/range.hpp"
+
 namespace alignability {
+namespace {
+
+const Robot& checked(const Robot& robot) {
+  if (robot.footprint.empty()) {
+    if (!kPositive.contains(robot.radius)) throw std::invalid_argument("a robot needs a radius greater than 0 or a footprint");
+  } else if (const auto fault = fault_of_footprint(robot.footprint)) {
+    throw std::invalid_argument(*fault);
+  }
+  return robot;
+}
+
+}  // namespace
 
 DrivableArea::DrivableArea(std::shared_ptr<const ClearanceMap> clearance, std::shared_ptr<const RiskField> risk, const Robot& robot)
-    : clearance_(std::move(clearance)), risk_(std::move(risk)), robot_(robot) {}
+    : clearance_(std::move(clearance)),
+      risk_(std::move(risk)),
+      inscribed_radius_(inscribed_radius(checked(robot))),
+      circumscribed_radius_(circumscribed_radius(robot)) {
+  if (!robot.footprint.empty()) sweep_.emplace(clearance_, robot.footprint);
+}
 
 bool DrivableArea::contains(const Pose2& pose) const {
-  return clearance_->is_clear(pose.position(), robot_.radius) && risk_->is_drivable(pose.position());
+  const Eigen::Vector2d at = pose.position();
+  if (!clearance_->is_clear(at, inscribed_radius_) || !risk_->is_drivable(at)) return false;
+  return !sweep_ || clearance_->is_clear(at, circumscribed_radius_) || sweep_->is_clear(pose);
 }
 
 bool DrivableArea::contains(const Pose2& from, const Pose2& to) const {
-  return clearance_->is_clear(from.position(), to.position(), robot_.radius) && risk_->is_drivable(from.position(), to.position());
+  const Eigen::Vector2d a = from.position();
+  const Eigen::Vector2d b = to.position();
+  if (!clearance_->is_clear(a, b, inscribed_radius_) || !risk_->is_drivable(a, b)) return false;
+  return !sweep_ || clearance_->is_clear(a, b, circumscribed_radius_) || sweep_->is_clear(from, to);
 }
 
-double DrivableArea::clearance(const Pose2& pose) const { return clearance_->distance(pose.position()) - robot_.radius; }
+double DrivableArea::clearance(const Pose2& pose) const {
+  return sweep_ ? sweep_->clearance(pose) : clearance_->distance(pose.position()) - inscribed_radius_;
+}
 
 bool DrivableArea::may_connect(const Pose2& from, const Pose2& to, double tolerance) const {
   const GridGeometry& grid = geometry();
@@ -36,7 +63,7 @@ bool DrivableArea::may_connect(const Pose2& from, const Pose2& to, double tolera
     for (int dy = -1; dy <= 1; ++dy) {
       for (int dx = -1; dx <= 1; ++dx) {
         const Cell next{at.x + dx, at.y + dy};
-        if (!grid.contains(next) || seen[grid.index(next)] || clearance_->distance_at(next) + reach < robot_.radius) continue;
+        if (!grid.contains(next) || seen[grid.index(next)] || clearance_->distance_at(next) + reach < inscribed_radius_) continue;
         seen[grid.index(next)] = true;
         front.push_back(next);
       }

@@ -5,12 +5,14 @@
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
-#include <ompl/base/terminationconditions/IterationTerminationCondition.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
 #include <ompl/util/RandomNumbers.h>
 
+#include <atomic>
 #include <chrono>
+#include <mutex>
+#include <stdexcept>
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
@@ -26,9 +28,12 @@ namespace og = ompl::geometric;
 
 class Stopwatch {
  public:
-  double seconds() const { return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
+  explicit Stopwatch(double already = 0.0) : already_(already) {}
+
+  double seconds() const { return already_ + std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count(); }
 
  private:
+  double already_;  // [s]
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
@@ -39,16 +44,6 @@ void seed_ompl(std::uint32_t seed) {
   ompl::RNG::setSeed(seed);
   ompl::msg::useOutputHandler(handler);
 }
-
-// What a query is planned with.
-struct Setup {
-  explicit Setup(const PlanProblem& problem)
-      : risk(std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk)),
-        area(std::make_shared<const ClearanceMap>(problem.occupancy), risk, problem.query.robot) {}
-
-  std::shared_ptr<const RiskField> risk;
-  DrivableArea area;
-};
 
 std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
   if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
@@ -83,14 +78,14 @@ ob::SpaceInformationPtr make_space_information(const PlanQuery& query, const Dri
   return si;
 }
 
-ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const Setup& setup, const ob::SpaceInformationPtr& si) {
+ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const PlanningFields& fields, const ob::SpaceInformationPtr& si) {
   const auto definition = std::make_shared<ob::ProblemDefinition>(si);
   ob::ScopedState<> start(si);
   set_pose(*si->getStateSpace(), query.start, start.get());
   definition->addStartState(start);
   definition->setGoal(std::make_shared<PoseGoal>(si, query.goal, query.goal_tolerance));
   definition->setOptimizationObjective(
-      std::make_shared<AlignabilityObjective>(si, setup.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
+      std::make_shared<AlignabilityObjective>(si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
   return definition;
 }
 
@@ -98,14 +93,23 @@ ob::PlannerTerminationCondition until(const PlannerChoice& choice, const std::st
   const ob::PlannerTerminationCondition stopped([stop] { return stop.stop_requested(); });
   if (choice.iterations && counts_its_own_iterations(choice.name)) return stopped;
   if (!choice.iterations) return ob::plannerOrTerminationCondition(stopped, ob::timedPlannerTerminationCondition(choice.time));
-  const auto counter = std::make_shared<ob::IterationTerminationCondition>(static_cast<unsigned int>(*choice.iterations));
-  return ob::PlannerTerminationCondition([stop, counter] { return stop.stop_requested() || counter->eval(); });
+  // OMPL's own counter is no atomic, and CForest and PRM ask from several threads.
+  const auto asked = std::make_shared<std::atomic<std::int64_t>>(0);
+  return ob::PlannerTerminationCondition(
+      [stop, asked, limit = *choice.iterations] { return stop.stop_requested() || asked->fetch_add(1) >= limit; });
 }
 
 // A path in R² has no heading of its own: the robot looks where it goes.
 void look_ahead(std::vector<Pose2>& path, const PlanQuery& query) {
   for (std::size_t i = 0; i + 1 < path.size(); ++i) path[i].yaw = std::atan2(path[i + 1].y - path[i].y, path[i + 1].x - path[i].x);
   path.back().yaw = path.size() > 1 ? path[path.size() - 2].yaw : query.start.yaw;
+}
+
+// CForest gives its path in a wrapper of the space.
+og::PathGeometric in_space(const ob::SpaceInformationPtr& si, og::PathGeometric& path) {
+  og::PathGeometric own(si);
+  for (const ob::State* state : path.getStates()) own.append(state);
+  return own;
 }
 
 std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& query) {
@@ -127,11 +131,16 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     result.first_solution_seconds = watch.seconds();
     return standing_path(*definition);
   }
+  const bool tells = reports_its_first_solution(query.planner.name);
+  std::mutex first_mutex;  // some planners search in several threads
   const auto note_first = [&] {
-    if (!result.first_solution_seconds) result.first_solution_seconds = watch.seconds();
+    const std::lock_guard lock(first_mutex);
+    if (!result.first_solution_seconds && tells) result.first_solution_seconds = watch.seconds();
   };
-  definition->setIntermediateSolutionCallback(
-      [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) { note_first(); });
+  if (tells) {
+    definition->setIntermediateSolutionCallback(
+        [&](const ob::Planner*, const std::vector<const ob::State*>&, const ob::Cost) { note_first(); });
+  }
   const ob::PlannerPtr planner = make_planner(query.planner, definition->getSpaceInformation());
   planner->setProblemDefinition(definition);
   planner->setup();
@@ -142,7 +151,7 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     return std::nullopt;
   }
   note_first();
-  return shortened(*definition->getSolutionPath()->as<og::PathGeometric>(), *definition);
+  return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
 }
 
 }  // namespace
@@ -171,31 +180,42 @@ const char* to_string(PlanStatus status) {
   return "";
 }
 
-PlanResult plan(const PlanProblem& problem, const PlanOptions& options) {
+PlanningFields::PlanningFields(const PlanProblem& problem) {
   const Stopwatch watch;
+  risk = std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk);
+  clearance = std::make_shared<const ClearanceMap>(problem.occupancy);
+  seconds = watch.seconds();
+}
+
+PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options) {
+  const Stopwatch watch(fields.seconds);
   PlanResult result;
-  result.query = problem.query;
-  if (result.query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
-  const Setup setup(problem);
-  if (const auto refused = refusal(problem.query, setup.area)) {
+  result.query = query;
+  result.query.risk = fields.risk->options();
+  if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
+  if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
+  const DrivableArea area(fields.clearance, fields.risk, query.robot);
+  if (const auto refused = refusal(query, area)) {
     result.status = *refused;
     result.seconds = watch.seconds();
     return result;
   }
-  seed_ompl(problem.query.planner.seed);
-  const auto si = make_space_information(problem.query, setup.area);
-  const auto definition = make_definition(problem.query, setup, si);
+  seed_ompl(query.planner.seed);
+  const auto si = make_space_information(query, area);
+  const auto definition = make_definition(query, fields, si);
   const auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
     result.status = PlanStatus::interrupted;
   } else if (path) {
     result.status = PlanStatus::solved;
-    result.path = poses_of(*path, problem.query);
+    result.path = poses_of(*path, query);
     result.cost = path->cost(definition->getOptimizationObjective()).value();
-    result.figures = measure(result.path, *setup.risk);
+    result.figures = measure(result.path, *fields.risk);
   }
   result.seconds = watch.seconds();
   return result;
 }
+
+PlanResult plan(const PlanProblem& problem, const PlanOptions& options) { return plan(problem.query, PlanningFields(problem), options); }
 
 }  // namespace alignability

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
+#include "costmap/clearance_map.hpp"
 #include "planner/path_figures.hpp"
 #include "planner/plan_problem.hpp"
 
@@ -32,17 +34,27 @@ struct PlanOptions {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::timeout;
-  PlanQuery query;          ///< as planned, the planner's name filled in
+  PlanQuery query;          ///< as planned, the planner's name filled in, the risk's options those of the fields
   std::vector<Pose2> path;  ///< from the start to within the goal's tolerance, straight between; empty unless solved
   double cost = 0.0;        ///< of that path [equivalent m]
   PathFigures figures;
-  double seconds = 0.0;
-  std::optional<double> first_solution_seconds;  ///< from the call, fields included
+  double seconds = 0.0;                          ///< the fields' construction included
+  std::optional<double> first_solution_seconds;  ///< likewise; nullopt without a solution, and of planners that do not tell
+};
+
+/// What all plans on one site and one reading of its risk share. O(cells) to build; immutable.
+struct PlanningFields {
+  explicit PlanningFields(const PlanProblem& problem);
+
+  std::shared_ptr<const RiskField> risk;
+  std::shared_ptr<const ClearanceMap> clearance;
+  double seconds = 0.0;  ///< that building them took
 };
 
 /// Plans with OMPL. Seeds OMPL's generators, which the whole process shares: one plan at a time. With `iterations` and a
 /// single-threaded planner, the same problem gives the same path. An interrupted plan has no path.
 /// Throws std::invalid_argument for a query out of range.
+PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 PlanResult plan(const PlanProblem& problem, const PlanOptions& options);
 
 }  // namespace alignability

@@ -30,7 +30,13 @@ Pose2 read_pose(YamlMap& yaml, std::string_view key) {
 
 Robot read_robot(YamlMap yaml) {
   Robot robot;
-  robot.radius = yaml.number("radius", kPositive);
+  if (const auto footprint = yaml.find_points("footprint", kFinite)) {
+    if (yaml.has("radius")) yaml.fail("radius", "give 'radius' or 'footprint', not both");
+    if (const auto fault = fault_of_footprint(*footprint)) yaml.fail("footprint", *fault);
+    robot.footprint = *footprint;
+  } else {
+    robot.radius = yaml.number("radius", kPositive);
+  }
   yaml.finish();
   return robot;
 }
@@ -75,6 +81,15 @@ PlannerChoice read_planner(YamlMap yaml) {
   return choice;
 }
 
+std::string outline(const Robot& robot) {
+  if (robot.footprint.empty()) return "radius: " + to_text(robot.radius);
+  std::string corners;
+  for (const Eigen::Vector2d& at : robot.footprint) {
+    corners += (corners.empty() ? "[" : ", [") + to_text(at.x()) + ", " + to_text(at.y()) + ']';
+  }
+  return "footprint: [" + corners + ']';
+}
+
 }  // namespace
 
 ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
@@ -87,6 +102,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   file.range_max = yaml.find_number("range_max", kPositive);
   file.query.robot = read_robot(yaml.map("robot"));
   if (const auto motion = yaml.find_map("motion")) file.query.motion = read_motion(*motion);
+  if (const auto refusal = refusal_of_space(file.query)) yaml.fail("motion", *refusal);
   file.query.start = read_pose(yaml, "start");
   file.query.goal = read_pose(yaml, "goal");
   if (const auto tolerance = yaml.find_map("goal_tolerance")) file.query.goal_tolerance = read_goal_tolerance(*tolerance);
@@ -100,10 +116,15 @@ PlanProblem load_problem(const ProblemFile& file) {
   return {read_occupancy_map(file.map), read_alignability_map(file.alignability), file.query};
 }
 
+std::optional<std::string> refusal_of_space(const PlanQuery& query) {
+  if (query.motion.space != MotionSpace::r2 || query.robot.footprint.empty()) return std::nullopt;
+  return "a footprint has a heading, and the space r2 has none: take se2, or a radius";
+}
+
 std::string to_yaml(const PlanQuery& query) {
   const auto pose = [](const Pose2& p) { return '[' + to_text(p.x) + ", " + to_text(p.y) + ", " + to_text(p.yaw) + ']'; };
   std::ostringstream out;
-  out << "robot: {radius: " << to_text(query.robot.radius) << "}\n"
+  out << "robot: {" << outline(query.robot) << "}\n"
       << "motion: {space: " << name_of(query.motion.space, kSpaces) << ", turn_cost: " << to_text(query.motion.turn_cost) << "}\n"
       << "start: " << pose(query.start) << "\ngoal: " << pose(query.goal) << '\n'
       << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)

@@ -9,8 +9,8 @@
 #include "costmap/alignability_map.hpp"
 #include "costmap/occupancy_map.hpp"
 #include "costmap/risk_field.hpp"
-#include "planner/drivable_area.hpp"
 #include "planner/pose_goal.hpp"
+#include "planner/robot.hpp"
 
 namespace alignability {
 
@@ -23,7 +23,7 @@ struct Motion {
 
 /// Which planner, and when it stops: after `iterations` when they are given, else after `time`.
 struct PlannerChoice {
-  std::string name;                        ///< one of planner_names(); empty: the best we have
+  std::string name;                        ///< one of planner_names(); empty: kDefaultPlanner
   double time = 2.0;                       ///< [s], > 0
   std::optional<std::int64_t> iterations;  ///< samples, roughly: planners count differently
   std::uint32_t seed = 1;                  ///< >= 1
@@ -62,6 +62,9 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file);
 
 /// Reads the maps. Throws InputError.
 PlanProblem load_problem(const ProblemFile& file);
+
+/// Why a query's robot cannot be planned for in its space; nullopt when it can.
+std::optional<std::string> refusal_of_space(const PlanQuery& query);
 
 /// The query as the lines of a problem file, defaults written out.
 std::string to_yaml(const PlanQuery& query);

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/planners.hpp"
 
+#include <ompl/geometric/planners/cforest/CForest.h>
+#include <ompl/geometric/planners/fmt/BFMT.h>
 #include <ompl/geometric/planners/fmt/FMT.h>
+#include <ompl/geometric/planners/informedtrees/ABITstar.h>
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/geometric/planners/prm/LazyPRM.h>
+#include <ompl/geometric/planners/prm/LazyPRMstar.h>
 #include <ompl/geometric/planners/prm/PRMstar.h>
+#include <ompl/geometric/planners/rrt/RRTXstatic.h>
+#include <ompl/geometric/planners/rrt/RRTsharp.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 
 #include <algorithm>
 #include <stdexcept>
 
 #include "core/input_error.hpp"
+#include "planner/refused_planners.hpp"
 
 namespace alignability {
 namespace {
@@ -17,8 +25,20 @@ namespace {
 namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
-// FMT* draws its samples before it starts and takes no other bound.
+// FMT* and BFMT* draw their samples before they start and take no other bound.
 constexpr unsigned int kFmtSamples = 5000;
+
+template <typename Planner>
+ob::PlannerPtr make(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si);
+}
+
+template <typename Planner>
+ob::PlannerPtr make_with_samples(const PlannerChoice& choice, const ob::SpaceInformationPtr& si) {
+  auto planner = std::make_shared<Planner>(si);
+  planner->setNumSamples(choice.iterations ? static_cast<unsigned int>(*choice.iterations) : kFmtSamples);
+  return planner;
+}
 
 ob::PlannerPtr make_rrtstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
   auto planner = std::make_shared<og::RRTstar>(si);
@@ -28,16 +48,24 @@ ob::PlannerPtr make_rrtstar(const PlannerChoice&, const ob::SpaceInformationPtr&
   return planner;
 }
 
-ob::PlannerPtr make_prmstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) { return std::make_shared<og::PRMstar>(si); }
-
-ob::PlannerPtr make_fmtstar(const PlannerChoice& choice, const ob::SpaceInformationPtr& si) {
-  auto planner = std::make_shared<og::FMT>(si);
-  planner->setNumSamples(choice.iterations ? static_cast<unsigned int>(*choice.iterations) : kFmtSamples);
+template <typename Planner>
+ob::PlannerPtr make_without_rejection(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
+  auto planner = std::make_shared<Planner>(si);
+  planner->setInformedSampling(false);
+  planner->setSampleRejection(false);
   return planner;
 }
 
-ob::PlannerPtr make_bitstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
-  return std::make_shared<og::BITstar>(si, "kBITstar");
+// BIT* and ABIT* warn of any other name, since they join k-nearest neighbours.
+template <typename Planner>
+ob::PlannerPtr make_batched(const PlannerChoice& choice, const ob::SpaceInformationPtr& si) {
+  return std::make_shared<Planner>(si, choice.name == "abitstar" ? "kABITstar" : "kBITstar");
+}
+
+ob::PlannerPtr make_cforest(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
+  auto planner = std::make_shared<og::CForest>(si);
+  planner->setFocusSearch(false);  // it prunes
+  return planner;
 }
 
 struct Offer {
@@ -45,7 +73,20 @@ struct Offer {
   ob::PlannerPtr (*make)(const PlannerChoice&, const ob::SpaceInformationPtr&);
 };
 
-constexpr Offer kOffers[] = {{"rrtstar", make_rrtstar}, {"prmstar", make_prmstar}, {"fmtstar", make_fmtstar}, {"bitstar", make_bitstar}};
+constexpr Offer kOffers[] = {
+    {"rrtstar", make_rrtstar},
+    {"rrtsharp", make_without_rejection<og::RRTsharp>},
+    {"rrtxstatic", make_without_rejection<og::RRTXstatic>},
+    {"cforest", make_cforest},
+    {"prm", make<og::PRM>},
+    {"prmstar", make<og::PRMstar>},
+    {"lazyprm", make<og::LazyPRM>},
+    {"lazyprmstar", make<og::LazyPRMstar>},
+    {"fmtstar", make_with_samples<og::FMT>},
+    {"bfmtstar", make_with_samples<og::BFMT>},
+    {"bitstar", make_batched<og::BITstar>},
+    {"abitstar", make_batched<og::ABITstar>},
+};
 
 }  // namespace
 
@@ -58,6 +99,7 @@ std::vector<std::string> planner_names() {
 std::optional<std::string> refusal_of_planner(const std::string& name) {
   const std::vector<std::string> names = planner_names();
   if (std::ranges::find(names, name) != names.end()) return std::nullopt;
+  if (const char* reason = reason_against(name)) return "OMPL's planner '" + name + "' is not offered: " + reason;
   std::string list;
   for (const std::string& known : names) list += (list.empty() ? "" : ", ") + known;
   return "unknown planner '" + name + "': there are " + list + did_you_mean(name, names);
@@ -69,6 +111,8 @@ ob::PlannerPtr make_planner(const PlannerChoice& choice, const ob::SpaceInformat
   return std::ranges::find(kOffers, name, [](const Offer& offer) { return std::string(offer.name); })->make(choice, si);
 }
 
-bool counts_its_own_iterations(const std::string& name) { return name == "fmtstar"; }
+bool counts_its_own_iterations(const std::string& name) { return name == "fmtstar" || name == "bfmtstar"; }
+
+bool reports_its_first_solution(const std::string& name) { return name != "cforest"; }
 
 }  // namespace alignability

@@ -11,7 +11,8 @@
 
 namespace alignability {
 
-inline constexpr const char* kDefaultPlanner = "rrtstar";
+/// The one that finds the right way around obstacles soonest and repeats under iterations: docs/planners.md has the figures.
+inline constexpr const char* kDefaultPlanner = "bitstar";
 
 /// The names of OMPL's planners that are offered, each honouring the objective.
 std::vector<std::string> planner_names();
@@ -25,5 +26,8 @@ ompl::base::PlannerPtr make_planner(const PlannerChoice& choice, const ompl::bas
 
 /// Whether a planner draws as many samples as there are iterations and then stops by itself, so that nobody else is to count.
 bool counts_its_own_iterations(const std::string& name);
+
+/// Whether a planner tells of its first solution when it has it; CForest does not.
+bool reports_its_first_solution(const std::string& name);
 
 }  // namespace alignability

@@ -15,8 +15,8 @@ namespace {
 // The map's origin is rounded to decimetres, its image was turned by hand: it lies this far off the world, as walls and shelves show.
 const Eigen::Vector2d kOffset(0.10, 0.15);
 
-// The height of the robot's lidar is not told. Its map shows the mast of the pallet jack and not its forks, which end at 0.2 m, and the
-// shelves' feet and not their lowest boards, from 0.7 m on; between these the slice hardly changes. Simulated beams meet collision shapes.
+// The height of the robot's lidar is not told. Its map shows the mast of the pallet jack and not its forks, which end at 0.18 m, and
+// the shelves' feet and not their lowest boards, from 0.73 m on; between these the slice hardly changes. Simulated beams meet collision shapes.
 constexpr double kZMin = 0.29;
 constexpr double kZMax = 0.31;
 

@@ -74,7 +74,7 @@ TEST(Warehouse, AlignabilityMapIsRebuiltCellByCell) {
 
 TEST(Warehouse, ShortestPathIsBlindInTheCorridorAndTheRiskAwareOneGoesAround) {
   PlanProblem problem = load_problem(read_problem_file(kSite / "problem.yaml"));
-  problem.query.planner.iterations = 10000;  // rather than the file's 5 s, of which a sanitizer takes most
+  problem.query.planner.iterations = 20000;  // rather than the file's 5 s, of which a sanitizer takes most
   const Comparison comparison = compare(problem, {});
   ASSERT_EQ(comparison.shortest.status, PlanStatus::solved);
   ASSERT_EQ(comparison.risk_aware.status, PlanStatus::solved);

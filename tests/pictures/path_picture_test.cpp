@@ -82,10 +82,24 @@ TEST_F(PathPicture, ADashedPathLetsTheSolidOneUnderItShowThrough) {
 }
 
 TEST_F(PathPicture, StartAndGoalAreMarked) {
-  const Picture picture =
-      drawn({}, {.title = "", .risk = {}, .start = Pose2{2.0, 2.0, 0.0}, .goal = Pose2{8.0, 6.0, 0.0}, .robot_radius = 0.3});
+  const Picture picture = drawn(
+      {}, {.title = "", .risk = {}, .start = Pose2{2.0, 2.0, 0.0}, .goal = Pose2{8.0, 6.0, 0.0}, .robot_radius = 0.3, .footprint = {}});
   EXPECT_LE(difference(picture.at(pixel(2.0, 2.0)), detail::kWhite), kRounding);
   EXPECT_LE(difference(picture.at(pixel(8.0, 6.0)), detail::kInk), kRounding);
+}
+
+TEST_F(PathPicture, AFootprintTurnsWithItsPose) {
+  const Pose2 upward{5.0, 3.0, radians(90)};
+  const Picture picture = drawn({}, {.title = "",
+                                     .risk = {},
+                                     .start = upward,
+                                     .goal = std::nullopt,
+                                     .robot_radius = 0.0,
+                                     .footprint = {{2.0, 0.5}, {-0.5, 0.5}, {-0.5, -0.5}, {2.0, -0.5}}});
+  const Picture bare = drawn({});
+  // Its front edge lies 2 m above the pose, and nothing of it to the right.
+  EXPECT_GT(difference(picture.at(pixel(5.4, 4.9)), bare.at(pixel(5.4, 4.9))), 0.05);
+  EXPECT_LE(difference(picture.at(pixel(6.5, 3.0)), bare.at(pixel(6.5, 3.0))), kRounding);
 }
 
 TEST_F(PathPicture, WithoutPathsThereIsTheMapAlone) {

@@ -4,97 +4,60 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 
+#include "core/file.hpp"
 #include "planner/plan.hpp"
+#include "planner/refused_planners.hpp"
+#include "tests/planner/collision_oracle.hpp"
 #include "tests/planner/two_corridors.hpp"
 
 namespace alignability {
 namespace {
 
+const Robot kTruck{.radius = 0.0, .footprint = {{0.9, 0.35}, {-0.3, 0.35}, {-0.3, -0.35}, {0.9, -0.35}}};
+
 struct Case {
   std::string planner;
   MotionSpace space;
+  Robot robot;
 };
 
 std::string name_of(const testing::TestParamInfo<Case>& info) {
-  return info.param.planner + (info.param.space == MotionSpace::r2 ? "_r2" : "_se2");
+  return info.param.planner + (info.param.space == MotionSpace::r2 ? "_r2" : "_se2") + (info.param.robot.footprint.empty() ? "" : "_truck");
 }
 
 std::vector<Case> all_cases() {
   std::vector<Case> cases;
   for (const std::string& planner : planner_names()) {
-    cases.push_back({planner, MotionSpace::r2});
-    cases.push_back({planner, MotionSpace::se2});
+    cases.push_back({planner, MotionSpace::r2, {.radius = 0.4, .footprint = {}}});
+    cases.push_back({planner, MotionSpace::se2, {.radius = 0.4, .footprint = {}}});
+    cases.push_back({planner, MotionSpace::se2, kTruck});
   }
   return cases;
 }
 
-PlanProblem problem_for(const Case& param) {
-  PlanProblem problem = test::two_corridors();
-  problem.query.planner.name = param.planner;
-  problem.query.motion.space = param.space;
-  problem.query.planner.time = 2.0;
-  // FMT* has no answer before its last sample, however long a sanitizer makes that take.
-  if (param.planner == "fmtstar") problem.query.planner.iterations = 2000;
-  return problem;
-}
-
-// Looks at every centimetre of the path, and at every obstacle cell near it, with none of the planner's code.
-void expect_collision_free(const PlanProblem& problem, const std::vector<Pose2>& path) {
-  const GridGeometry& grid = problem.occupancy.geometry();
-  const double radius = problem.query.robot.radius;
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) {
-    const double length = std::hypot(path[i + 1].x - path[i].x, path[i + 1].y - path[i].y);
-    const int steps = std::max(1, static_cast<int>(std::ceil(length / 0.01)));
-    for (int k = 0; k <= steps; ++k) {
-      const double t = static_cast<double>(k) / steps;
-      const double x = path[i].x + t * (path[i + 1].x - path[i].x);
-      const double y = path[i].y + t * (path[i + 1].y - path[i].y);
-      const int reach = static_cast<int>(radius / grid.resolution) + 2;
-      const Cell at = *grid.cell_near({x, y});
-      for (int dy = -reach; dy <= reach; ++dy) {
-        for (int dx = -reach; dx <= reach; ++dx) {
-          const Cell cell{at.x + dx, at.y + dy};
-          if (problem.occupancy.is_free(cell)) continue;
-          const Eigen::Vector2d low = grid.corner(cell);
-          const double gap_x = std::max({low.x() - x, 0.0, x - low.x() - grid.resolution});
-          const double gap_y = std::max({low.y() - y, 0.0, y - low.y() - grid.resolution});
-          ASSERT_GE(std::hypot(gap_x, gap_y), radius - 1e-6) << "at " << x << ", " << y;
-        }
-      }
-    }
+class EveryPlanner : public testing::TestWithParam<Case> {
+ protected:
+  PlanProblem problem_with_weight(double weight) const {
+    PlanProblem problem = test::two_corridors();
+    problem.query.robot = GetParam().robot;
+    problem.query.planner.name = GetParam().planner;
+    problem.query.motion.space = GetParam().space;
+    problem.query.weight = weight;
+    problem.query.planner.time = weight > 0.0 ? 3.0 : 1.5;
+    // These have no answer before their last sample, however long a sanitizer makes that take.
+    if (counts_its_own_iterations(GetParam().planner)) problem.query.planner.iterations = 2000;
+    return problem;
   }
+};
+
+void expect_collision_free(const PlanProblem& problem, const PlanResult& result) {
+  const auto hit = test::first_collision(problem.occupancy, problem.query.robot, result.path);
+  EXPECT_FALSE(hit.has_value()) << "at " << hit->x << ", " << hit->y << ", " << hit->yaw;
 }
 
-class EveryPlanner : public testing::TestWithParam<Case> {};
-
-TEST_P(EveryPlanner, FindsTheSafeWayWhenRiskIsWeighed) {
-  const PlanResult result = plan(problem_for(GetParam()), {});
-  ASSERT_EQ(result.status, PlanStatus::solved);
-  EXPECT_LT(result.figures.blind_length, 0.5);
-  EXPECT_GT(result.figures.length, 20.0);
-}
-
-TEST_P(EveryPlanner, FindsTheShortWayWhenItIsNot) {
-  PlanProblem problem = problem_for(GetParam());
-  problem.query.weight = 0.0;
-  const PlanResult result = plan(problem, {});
-  ASSERT_EQ(result.status, PlanStatus::solved);
-  EXPECT_LT(result.figures.length, 18.0);
-  EXPECT_GT(result.figures.blind_length, 9.0);
-}
-
-TEST_P(EveryPlanner, NeverCollides) {
-  const PlanProblem problem = problem_for(GetParam());
-  const PlanResult result = plan(problem, {});
-  ASSERT_EQ(result.status, PlanStatus::solved);
-  expect_collision_free(problem, result.path);
-}
-
-TEST_P(EveryPlanner, ReportsTheCostOfThePathItReturns) {
-  const PlanProblem problem = problem_for(GetParam());
-  const PlanResult result = plan(problem, {});
-  ASSERT_EQ(result.status, PlanStatus::solved);
+void expect_the_cost_of_its_path(const PlanProblem& problem, const PlanResult& result) {
   const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
   double cost = 0.0;
   for (std::size_t i = 0; i + 1 < result.path.size(); ++i) {
@@ -113,21 +76,42 @@ TEST_P(EveryPlanner, ReportsTheCostOfThePathItReturns) {
   EXPECT_GE(result.cost, result.figures.length);
 }
 
-TEST_P(EveryPlanner, StartsAtTheStartAndEndsInTheGoal) {
-  const PlanProblem problem = problem_for(GetParam());
+void expect_from_start_to_goal(const PlanProblem& problem, const PlanResult& result) {
+  const PlanQuery& query = problem.query;
+  EXPECT_NEAR((result.path.front().position() - query.start.position()).norm(), 0.0, 1e-12);
+  EXPECT_LE((result.path.back().position() - query.goal.position()).norm(), query.goal_tolerance.position + 1e-9);
+  if (query.motion.space == MotionSpace::se2) {
+    EXPECT_EQ(normalized_angle(result.path.front().yaw - query.start.yaw), 0.0);
+    EXPECT_LE(std::abs(normalized_angle(result.path.back().yaw - query.goal.yaw)), query.goal_tolerance.heading + 1e-9);
+  }
+}
+
+TEST_P(EveryPlanner, FindsTheSafeWayWhenRiskIsWeighed) {
+  const PlanProblem problem = problem_with_weight(5.0);
   const PlanResult result = plan(problem, {});
   ASSERT_EQ(result.status, PlanStatus::solved);
-  EXPECT_NEAR((result.path.front().position() - problem.query.start.position()).norm(), 0.0, 1e-12);
-  EXPECT_LE((result.path.back().position() - problem.query.goal.position()).norm(), problem.query.goal_tolerance.position + 1e-9);
-  if (problem.query.motion.space == MotionSpace::se2) {
-    EXPECT_LE(std::abs(normalized_angle(result.path.back().yaw - problem.query.goal.yaw)), problem.query.goal_tolerance.heading + 1e-9);
-  }
+  EXPECT_LT(result.figures.blind_length, 0.5);
+  EXPECT_GT(result.figures.length, 20.0);
+  expect_collision_free(problem, result);
+  expect_the_cost_of_its_path(problem, result);
+  expect_from_start_to_goal(problem, result);
+}
+
+TEST_P(EveryPlanner, FindsTheShortWayWhenItIsNot) {
+  const PlanProblem problem = problem_with_weight(0.0);
+  const PlanResult result = plan(problem, {});
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  EXPECT_LT(result.figures.length, 18.0);
+  EXPECT_GT(result.figures.blind_length, 9.0);
+  expect_collision_free(problem, result);
+  expect_the_cost_of_its_path(problem, result);
+  expect_from_start_to_goal(problem, result);
 }
 
 INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(all_cases()), name_of);
 
 TEST(Planners, RepeatBySeedUnderIterations) {
-  for (const char* name : {"rrtstar", "fmtstar", "bitstar"}) {
+  for (const char* name : {"rrtstar", "rrtsharp", "rrtxstatic", "lazyprm", "lazyprmstar", "fmtstar", "bfmtstar", "bitstar", "abitstar"}) {
     SCOPED_TRACE(name);
     PlanProblem problem = test::two_corridors();
     problem.query.planner = {.name = name, .time = 1.0, .iterations = 1500, .seed = 7};
@@ -149,6 +133,27 @@ TEST(Planners, RefuseAnUnknownNameAndListTheKnown) {
     EXPECT_FALSE(refusal_of_planner(name).has_value());
     EXPECT_NE(refusal->find(name), std::string::npos);
   }
+}
+
+TEST(Planners, RefuseThoseThatWouldLieWithTheReason) {
+  const PlanProblem problem = test::two_corridors();
+  for (const std::string& name : refused_planner_names()) {
+    const auto refusal = refusal_of_planner(name);
+    ASSERT_TRUE(refusal.has_value()) << name;
+    EXPECT_NE(refusal->find("'" + name + "' is not offered: it "), std::string::npos) << *refusal;
+    PlanProblem asked = problem;
+    asked.query.planner.name = name;
+    EXPECT_THROW(plan(asked, {}), std::invalid_argument) << name;
+  }
+  EXPECT_NE(refusal_of_planner("informedrrtstar")->find("straight line"), std::string::npos);
+}
+
+TEST(Planners, AreAllInTheDocumentation) {
+  const std::string page = read_file(std::filesystem::path(ALIGNABILITY_SOURCE_DIR) / "docs/planners.md", 1u << 20);
+  const std::size_t refused = page.find("## Not offered");
+  ASSERT_NE(refused, std::string::npos);
+  for (const std::string& name : planner_names()) EXPECT_LT(page.find('`' + name + '`'), refused) << name;
+  for (const std::string& name : refused_planner_names()) EXPECT_NE(page.find('`' + name + '`', refused), std::string::npos) << name;
 }
 
 }  // namespace

@@ -76,6 +76,19 @@ TEST_F(ProblemFileTest, IsWrittenOutAsItWasRead) {
   EXPECT_EQ(second.query.weight, first.query.weight);
 }
 
+TEST_F(ProblemFileTest, ReadsAFootprintAndWritesItOut) {
+  std::string text = kGood;
+  text.replace(text.find("radius: 0.6"), 11, "footprint: [[1, 0.5], [-0.25, 0.5], [-0.25, -0.5], [1, -0.5]]");
+  text.replace(text.find("space: r2"), 9, "space: se2");
+  const Robot robot = read(text).query.robot;
+  ASSERT_EQ(robot.footprint.size(), 4u);
+  EXPECT_EQ(robot.footprint[1], Eigen::Vector2d(-0.25, 0.5));
+  EXPECT_EQ(inscribed_radius(robot), 0.25);
+  EXPECT_EQ(circumscribed_radius(robot), std::hypot(1.0, 0.5));
+  const ProblemFile again = read("map: m.yaml\nalignability: a.yaml\n" + to_yaml(read(text).query));
+  EXPECT_EQ(again.query.robot.footprint, robot.footprint);
+}
+
 TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
   struct Fault {
     const char* from;
@@ -92,11 +105,21 @@ TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
       {"space: r2", "space: r3", "'space' is 'r3', which is none of: r2, se2"},
       {"radius: 0.6", "radius: 0", "'radius' must be greater than 0"},
       {"radius: 0.6", "radius: wide", "'radius' must be a number"},
+      {"radius: 0.6", "radius: 0.6, footprint: [[0, 0], [1, 0], [0, 1]]", "problem.yaml:3:17: give 'radius' or 'footprint', not both"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, 0]]", "problem.yaml:3:20: a footprint needs at least 3 corners"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, 1], [1, 0], [0, 1]]", "the footprint's edges must not cross or touch"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, 0], [2, 0]]", "the footprint must"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, 0], [2]]", "problem.yaml:3:37: 'footprint' must be a list of points [x, y]"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, .nan], [2, 1]]", "'footprint' must be a finite number, not .nan"},
+      {"radius: 0.6", "footprint: 3", "'footprint' must be a list of points [x, y]"},
+      {"radius: 0.6", "footprnt: [[0, 0], [1, 0], [0, 1]]", "unknown key 'footprnt' (did you mean 'footprint'?)"},
+      {"radius: 0.6", "footprint: [[0, 0], [1, 0], [0, 1]]", "problem.yaml:4:9: a footprint has a heading, and the space r2 has none"},
       {"start: [1, 2, 0.5]", "start: [1, 2]", "'start' must be a list of 3 numbers, not 2"},
       {"start: [1, 2, 0.5]", "strat: [1, 2, 0.5]", "unknown key 'strat' (did you mean 'start'?)"},
       {"goal: [3, 4, -0.5]\n", "", "missing key 'goal'"},
       {"goal: [3, 4, -0.5]", "goal: [3, .inf, -0.5]", "'goal' must be a finite number"},
       {"name: prmstar", "name: prmsta", "unknown planner 'prmsta'"},
+      {"name: prmstar", "name: rrtconnect", "OMPL's planner 'rrtconnect' is not offered: it ignores the objective"},
       {"seed: 9", "seed: 0", "'seed' must be a whole number from 1"},
       {"seed: 9", "seed: 9, seed: 8", "key 'seed' is given twice"},
       {"time: 3.5", "time: 3.5, iterations: 100", "give 'iterations' or 'time', not both"},

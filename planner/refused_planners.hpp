@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace alignability {
+
+/// Why one of OMPL 1.5.2's geometric planners is not offered: it would lie about the cost, or pay it no heed; nullptr for other names.
+const char* reason_against(const std::string& name);
+
+std::vector<std::string> refused_planner_names();
+
+}  // namespace alignability
