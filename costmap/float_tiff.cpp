@@ -36,8 +36,6 @@ class Tiff {
     TIFFOpenOptionsSetWarningHandlerExtR(options.get(), ignore_message, nullptr);
     tiff_.reset(TIFFOpenExt(opened.c_str(), mode, options.get()));
     if (!tiff_) fail("not a TIFF");
-    static const TIFFFieldInfo no_data{kGdalNoData, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")};
-    TIFFMergeFieldInfo(tiff_.get(), &no_data, 1);
   }
 
   TIFF* get() const { return tiff_.get(); }
@@ -85,6 +83,13 @@ Grid<float> read_page(const Tiff& tiff, const GridGeometry& geometry) {
   return page;
 }
 
+// libtiff forgets the tags it was taught with every page.
+void mark_nan_as_no_data(const Tiff& tiff) {
+  static const TIFFFieldInfo field{kGdalNoData, -1, -1, TIFF_ASCII, FIELD_CUSTOM, 1, 0, const_cast<char*>("GDAL_NODATA")};
+  TIFFMergeFieldInfo(tiff.get(), &field, 1);
+  TIFFSetField(tiff.get(), kGdalNoData, "nan");
+}
+
 void write_page(const Tiff& tiff, const AlignabilityMap::Layer& layer) {
   const GridGeometry& geometry = layer.values.geometry();
   TIFFSetField(tiff.get(), TIFFTAG_IMAGEWIDTH, static_cast<std::uint32_t>(geometry.width));
@@ -98,7 +103,7 @@ void write_page(const Tiff& tiff, const AlignabilityMap::Layer& layer) {
   TIFFSetField(tiff.get(), TIFFTAG_PREDICTOR, PREDICTOR_FLOATINGPOINT);
   TIFFSetField(tiff.get(), TIFFTAG_ROWSPERSTRIP, TIFFDefaultStripSize(tiff.get(), 0));
   TIFFSetField(tiff.get(), TIFFTAG_PAGENAME, layer.name.c_str());
-  TIFFSetField(tiff.get(), kGdalNoData, "nan");
+  mark_nan_as_no_data(tiff);
   std::vector<float> row(static_cast<std::size_t>(geometry.width));
   for (int y = 0; y < geometry.height; ++y) {
     const float* first = &layer.values[Cell{0, geometry.height - 1 - y}];

@@ -3,37 +3,32 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <numeric>
 #include <vector>
 
 namespace alignability::detail {
-
-/// How bright a pixel is, in whole numbers so that 51 of 255 meets a threshold of 0.2.
-struct Shade {
-  int light = 0;  ///< 0 black … `white`
-  int white = 255;
-  bool opaque = true;
-};
 
 /// An image as map_server sees it. Row 0 is the top one.
 struct GreyImage {
   int width = 0;
   int height = 0;
-  std::vector<std::uint8_t> rgba;  ///< four bytes a pixel
-  bool has_alpha = false;          ///< whether the file says how opaque its pixels are
+  std::vector<std::uint16_t> rgba;  ///< four values a pixel, each from 0 to 65535, as nav2's GraphicsMagick holds them
+  bool has_alpha = false;           ///< whether the file says how opaque its pixels are
 
-  /// The mean of the colours.
-  Shade shade(int x, int row) const {
-    const std::uint8_t* channel = pixel(x, row);
-    return {channel[0] + channel[1] + channel[2], 3 * 255, channel[3] == 255};
-  }
+  /// The mean of the colours, from 0 black to 1 white.
+  double shade(int x, int row) const { return mean_of(3, pixel(x, row)); }
   /// The mean of the colours and, where there is one, of the alpha.
-  Shade shade_with_alpha(int x, int row) const {
-    const std::uint8_t* channel = pixel(x, row);
-    return has_alpha ? Shade{channel[0] + channel[1] + channel[2] + channel[3], 4 * 255, channel[3] == 255} : shade(x, row);
-  }
+  double shade_with_alpha(int x, int row) const { return mean_of(has_alpha ? 4 : 3, pixel(x, row)); }
+  bool opaque(int x, int row) const { return pixel(x, row)[3] == kFull; }
 
-  const std::uint8_t* pixel(int x, int row) const {
+  static constexpr std::uint16_t kFull = 65535;
+
+ private:
+  const std::uint16_t* pixel(int x, int row) const {
     return &rgba[4 * (static_cast<std::size_t>(row) * static_cast<std::size_t>(width) + static_cast<std::size_t>(x))];
+  }
+  static double mean_of(int channels, const std::uint16_t* first) {
+    return static_cast<double>(std::accumulate(first, first + channels, 0)) / channels / kFull;
   }
 };
 

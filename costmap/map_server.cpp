@@ -3,6 +3,7 @@
 
 #include <yaml-cpp/yaml.h>
 
+#include <cmath>
 #include <limits>
 
 #include "core/file.hpp"
@@ -25,18 +26,34 @@ struct Interpretation {
   double occupied_thresh = 0.0;
   double free_thresh = 0.0;
 
-  float occupancy(detail::Shade shade) const {
-    const double occupancy = static_cast<double>(negate ? shade.light : shade.white - shade.light) / shade.white;
-    if (mode == MapMode::raw) {
-      const double percent = std::round(255.0 * shade.light / shade.white);
-      return percent <= 100.0 ? static_cast<float>(percent / 100.0) : kUnknown;
+  float occupancy(const detail::GreyImage& image, int x, int row) const {
+    switch (mode) {
+      case MapMode::raw:
+        return raw(image.shade(x, row));
+      case MapMode::scale:
+        return image.opaque(x, row) ? scaled(darkness(image.shade(x, row))) : kUnknown;
+      case MapMode::trinary:
+        return trinary(darkness(image.shade_with_alpha(x, row)));
     }
-    if (mode == MapMode::scale && !shade.opaque) return kUnknown;
-    if (occupancy >= occupied_thresh) return kOccupied;
-    if (occupancy <= free_thresh) return kFree;
-    if (mode == MapMode::trinary) return kUnknown;
-    return static_cast<float>((occupancy - free_thresh) / (occupied_thresh - free_thresh));
+    return kUnknown;
   }
+
+ private:
+  double darkness(double shade) const { return negate ? shade : 1.0 - shade; }
+
+  float trinary(double darkness) const {
+    if (occupied_thresh < darkness) return kOccupied;
+    return darkness < free_thresh ? kFree : kUnknown;
+  }
+  float scaled(double darkness) const {
+    const float clear = trinary(darkness);
+    return std::isnan(clear) ? percent(std::rint(100.0 * ((darkness - free_thresh) / (occupied_thresh - free_thresh)))) : clear;
+  }
+  static float raw(double shade) {
+    const double value = std::round(255.0 * shade);
+    return value <= 100.0 ? percent(value) : kUnknown;
+  }
+  static float percent(double value) { return static_cast<float>(value / 100.0); }
 };
 
 bool read_negate(YamlMap& yaml) {
@@ -75,9 +92,7 @@ OccupancyMap read_occupancy_map(const std::filesystem::path& yaml_file) {
   Grid<float> occupancy(geometry, kUnknown);
   for (int y = 0; y < geometry.height; ++y) {
     for (int x = 0; x < geometry.width; ++x) {
-      const int row = geometry.height - 1 - y;
-      const bool trinary = interpretation.mode == MapMode::trinary;
-      occupancy[Cell{x, y}] = interpretation.occupancy(trinary ? image.shade_with_alpha(x, row) : image.shade(x, row));
+      occupancy[Cell{x, y}] = interpretation.occupancy(image, x, geometry.height - 1 - y);
     }
   }
   return OccupancyMap(std::move(occupancy));

@@ -2,7 +2,7 @@
 #pragma once
 
 #include <cstdint>
-#include <stdexcept>
+#include <filesystem>
 #include <string>
 
 #include "costmap/grey_image.hpp"
@@ -12,17 +12,12 @@ namespace alignability::detail {
 struct PnmHeader {
   std::uint64_t width;
   std::uint64_t height;
-  std::uint64_t brightest;  ///< the value of white
+  std::uint64_t brightest;  ///< the value of white, at most 65535
 };
 
-class PnmError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
-
-/// Both throw PnmError for bytes that are no PNM; the second where they end early or a value is above that of white, too. What `bytes`
-/// declare to be larger than they can hold must not reach it.
-PnmHeader read_pnm_header(const std::string& bytes);
-GreyImage decode_pnm(const std::string& bytes);
+/// Both throw InputError, at the line and column where the file is text, for bytes that are no PNM; the second where they end early or a
+/// value is above that of white, too. What `bytes` declare to be larger than they can hold must not reach it.
+PnmHeader read_pnm_header(const std::string& bytes, const std::filesystem::path& file);
+GreyImage decode_pnm(const std::string& bytes, const std::filesystem::path& file);
 
 }  // namespace alignability::detail

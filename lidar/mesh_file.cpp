@@ -10,7 +10,10 @@
 #include <cctype>
 #include <cmath>
 #include <cstdint>
+#include <cstring>
 #include <exception>
+#include <span>
+#include <string_view>
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
@@ -32,6 +35,21 @@ std::string lower_extension(const std::filesystem::path& file) {
   return extension;
 }
 
+// A text begins with "solid"; else there are 80 bytes of anything, the number of triangles and 50 bytes for each.
+void check_stl(std::string_view bytes, const std::filesystem::path& file) {
+  constexpr std::size_t kHead = 84;
+  if (bytes.empty() || bytes.substr(std::min(bytes.find_first_not_of(" \t\r\n"), bytes.size())).starts_with("solid")) return;
+  if (bytes.size() < kHead) {
+    throw InputError(file, "is neither a text STL, which begins with 'solid', nor a binary one, which has at least 84 bytes");
+  }
+  std::uint32_t count = 0;
+  std::memcpy(&count, bytes.data() + kHead - sizeof count, sizeof count);
+  const std::uint64_t expected = kHead + 50 * std::uint64_t{count};
+  if (bytes.size() == expected) return;
+  throw InputError(file, "is " + std::to_string(bytes.size()) + " bytes long, where a binary STL of " + std::to_string(count) +
+                             " triangles has " + std::to_string(expected));
+}
+
 void check_file(const std::filesystem::path& file) {
   std::error_code error;
   if (!is_mesh_file(file)) throw InputError(file, "meshes are read from .dae, .stl, .obj, .ply, .gltf and .glb files");
@@ -43,25 +61,55 @@ void check_file(const std::filesystem::path& file) {
     throw InputError(file, "is " + std::to_string(size) + " bytes long; at most " + std::to_string(kLargestFile) + " are read");
   // The importer allocates what these promise.
   const std::string extension = lower_extension(file);
-  if (extension == ".ply") detail::check_ply_counts(read_file(file, kLargestFile), file);
+  if (extension == ".ply") detail::check_ply_header(read_file(file, kLargestFile), file);
   if (extension == ".dae") detail::check_collada(read_file(file, kLargestFile), file);
+  if (extension == ".stl") check_stl(read_file(file, kLargestFile), file);
+}
+
+bool all_finite(const aiMesh& mesh) {
+  return std::all_of(mesh.mVertices, mesh.mVertices + mesh.mNumVertices, [](const aiVector3D& vertex) {
+    return std::isfinite(vertex.x) && std::isfinite(vertex.y) && std::isfinite(vertex.z);
+  });
+}
+
+// What the importer's later steps take for granted, and what they would hide: they join vertices that are not numbers to others.
+void check_mesh(const aiMesh& mesh, const std::filesystem::path& file) {
+  if (!all_finite(mesh)) throw InputError(file, "has a vertex that is not finite");
+  for (const aiFace& face : std::span(mesh.mFaces, mesh.mNumFaces)) {
+    if (face.mNumIndices == 0) throw InputError(file, "has a face without corners");
+    const unsigned last = *std::max_element(face.mIndices, face.mIndices + face.mNumIndices);
+    if (last < mesh.mNumVertices) continue;
+    throw InputError(
+        file, "has a face with vertex " + std::to_string(last) + ", counted from 0, of " + std::to_string(mesh.mNumVertices) + " vertices");
+  }
+}
+
+bool has_area(const aiMesh* mesh) {
+  return std::any_of(mesh->mFaces, mesh->mFaces + mesh->mNumFaces, [](const aiFace& face) { return face.mNumIndices >= 3; });
+}
+
+const aiScene& require(const aiScene* scene, const Assimp::Importer& importer, const std::filesystem::path& file) {
+  if (scene == nullptr) throw InputError(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
+  return *scene;
 }
 
 const aiScene& import(Assimp::Importer& importer, const std::filesystem::path& file, const MeshOptions& options) {
   importer.SetPropertyInteger(AI_CONFIG_PP_RVC_FLAGS, static_cast<int>(kAllButPositions));
-  importer.SetPropertyInteger(AI_CONFIG_PP_SBP_REMOVE, aiPrimitiveType_POINT | aiPrimitiveType_LINE);
+  importer.SetPropertyBool(AI_CONFIG_IMPORT_NO_SKELETON_MESHES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_USE_COLLADA_NAMES, true);
   importer.SetPropertyBool(AI_CONFIG_IMPORT_COLLADA_IGNORE_UP_DIRECTION, options.up_axis.has_value());
-  const aiScene* scene = nullptr;
   try {
-    scene = importer.ReadFile(file.string(),
-                              aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices);
+    const aiScene& raw = require(importer.ReadFile(file.string(), 0), importer, file);
+    const std::span meshes(raw.mMeshes, raw.mNumMeshes);
+    for (const aiMesh* mesh : meshes) check_mesh(*mesh, file);
+    if (std::ranges::none_of(meshes, has_area)) throw InputError(file, "holds no triangles");
+    constexpr unsigned kSteps = aiProcess_Triangulate | aiProcess_SortByPType | aiProcess_RemoveComponent | aiProcess_JoinIdenticalVertices;
+    return require(importer.ApplyPostProcessing(kSteps), importer, file);
+  } catch (const InputError&) {
+    throw;
   } catch (const std::exception& error) {
     throw InputError(file, std::string("cannot be read as a mesh: ") + error.what());
   }
-  if (scene == nullptr) throw InputError(file, std::string("cannot be read as a mesh: ") + importer.GetErrorString());
-  if (scene->mRootNode == nullptr) throw InputError(file, "holds no triangles");
-  return *scene;
 }
 
 Eigen::Affine3d to_eigen(const aiMatrix4x4& matrix) {

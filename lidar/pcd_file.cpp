@@ -71,8 +71,9 @@ class HeaderReader {
       return;
     }
     const bool one_a_field = key == "SIZE" || key == "TYPE" || key == "COUNT";
+    if (one_a_field && header_.fields.empty()) lines_.fail("'" + key + "' stands before 'FIELDS'");
     const std::size_t expected = one_a_field ? header_.fields.size() : 1;
-    if (values.size() != expected || expected == 0) {
+    if (values.size() != expected) {
       lines_.fail("'" + key + "' must have " + std::to_string(expected) + " values" + (one_a_field ? ", as 'FIELDS' before it" : ""));
     }
     for (std::size_t i = 0; i < values.size(); ++i) read_value(key, values[i], i);
@@ -95,7 +96,9 @@ class HeaderReader {
     } else if (key == "DATA") {
       read_encoding(value);
     } else {
-      lines_.fail("'" + key + "' is no entry of a PCD header");
+      static const std::vector<std::string> kKeys{"VERSION", "FIELDS", "SIZE",      "TYPE",   "COUNT",
+                                                  "WIDTH",   "HEIGHT", "VIEWPOINT", "POINTS", "DATA"};
+      lines_.fail("'" + key + "' is no entry of a PCD header" + did_you_mean(key, kKeys));
     }
   }
 
@@ -107,7 +110,8 @@ class HeaderReader {
     } else if (value == "binary_compressed") {
       header_.encoding = Encoding::compressed;
     } else {
-      lines_.fail("'DATA' is ascii, binary or binary_compressed, not '" + value + "'");
+      static const std::vector<std::string> kEncodings{"ascii", "binary", "binary_compressed"};
+      lines_.fail("'DATA' is ascii, binary or binary_compressed, not '" + value + "'" + did_you_mean(value, kEncodings));
     }
   }
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <functional>
+#include <map>
 #include <optional>
 #include <string>
 #include <utility>
@@ -18,33 +19,25 @@ namespace {
 enum class Format { ascii, little_endian, big_endian };
 
 std::size_t size_of(const std::string& type, const HeaderLines& lines) {
-  static constexpr std::array<std::pair<const char*, std::size_t>, 16> kSizes{{{"char", 1},
-                                                                               {"uchar", 1},
-                                                                               {"short", 2},
-                                                                               {"ushort", 2},
-                                                                               {"int", 4},
-                                                                               {"uint", 4},
-                                                                               {"float", 4},
-                                                                               {"double", 8},
-                                                                               {"int8", 1},
-                                                                               {"uint8", 1},
-                                                                               {"int16", 2},
-                                                                               {"uint16", 2},
-                                                                               {"int32", 4},
-                                                                               {"uint32", 4},
-                                                                               {"float32", 4},
-                                                                               {"float64", 8}}};
-  for (const auto& [name, size] : kSizes) {
-    if (type == name) return size;
-  }
-  lines.fail("'" + type + "' is no type of a PLY file");
+  static const std::map<std::string, std::size_t> kSizes{
+      {"char", 1}, {"uchar", 1}, {"short", 2}, {"ushort", 2}, {"int", 4},   {"uint", 4},   {"float", 4},   {"double", 8},
+      {"int8", 1}, {"uint8", 1}, {"int16", 2}, {"uint16", 2}, {"int32", 4}, {"uint32", 4}, {"float32", 4}, {"float64", 8}};
+  const auto found = kSizes.find(type);
+  if (found != kSizes.end()) return found->second;
+  std::vector<std::string> names;
+  for (const auto& [name, size] : kSizes) names.push_back(name);
+  lines.fail("'" + type + "' is no type of a PLY file" + did_you_mean(type, names));
 }
 
 class HeaderReader {
  public:
-  HeaderReader(std::string_view bytes, const std::filesystem::path& file) : lines_(file, bytes) { table_.file = file; }
+  HeaderReader(std::string_view bytes, const std::filesystem::path& file, std::size_t most_rows)
+      : lines_(file, bytes), most_rows_(most_rows) {
+    table_.file = file;
+  }
 
   std::pair<PointTable, Format> read() {
+    if (lines_.next() != std::vector<std::string>{"ply"}) lines_.fail("a PLY file begins with a line 'ply'");
     for (std::vector<std::string> words = lines_.next(); words.empty() || words[0] != "end_header"; words = lines_.next()) read_line(words);
     if (!format_) lines_.fail("the header has no 'format'");
     if (!std::ranges::all_of(found_, std::identity{})) lines_.fail("the header has no element 'vertex' with properties x, y and z");
@@ -58,11 +51,14 @@ class HeaderReader {
   enum class Element { none, vertex, later };
 
   void read_line(const std::vector<std::string>& words) {
-    if (words.empty() || words[0] == "ply" || words[0] == "comment" || words[0] == "obj_info") return;
+    static const std::vector<std::string> kKeywords{"comment", "element", "end_header", "format", "obj_info", "property"};
+    if (words.empty() || words[0] == "comment" || words[0] == "obj_info") return;
     if (words[0] == "format" && words.size() == 3) return read_format(words[1]);
     if (words[0] == "element" && words.size() == 3) return read_element(words[1], words[2]);
     if (words[0] == "property" && words.size() >= 3) return read_property(words);
-    lines_.fail("'" + words[0] + "' is no complete line of a PLY header");
+    const bool known = std::ranges::find(kKeywords, words[0]) != kKeywords.end();
+    lines_.fail("'" + words[0] + (known ? "' is no complete line" : "' is no keyword") + " of a PLY header" +
+                (known ? "" : did_you_mean(words[0], kKeywords)));
   }
 
   void read_format(const std::string& name) {
@@ -70,14 +66,16 @@ class HeaderReader {
     if (name == "ascii") format_ = Format::ascii;
     if (name == "binary_little_endian") format_ = Format::little_endian;
     if (name == "binary_big_endian") format_ = Format::big_endian;
-    if (!format_) lines_.fail("'" + name + "' is no format of a PLY file");
+    static const std::vector<std::string> kFormats{"ascii", "binary_big_endian", "binary_little_endian"};
+    if (!format_) lines_.fail("'" + name + "' is no format of a PLY file" + did_you_mean(name, kFormats));
   }
 
   void read_element(const std::string& name, const std::string& count) {
+    const std::size_t rows = lines_.number(count, 0, most_rows_);
     if (name == "vertex") {
       if (element_ != Element::none) lines_.fail("'vertex' must be the first element, and the only one of its name");
       element_ = Element::vertex;
-      table_.rows = lines_.number(count, 0, kMostPoints);
+      table_.rows = rows;
     } else {
       if (element_ == Element::none) lines_.fail("'vertex' must be the first element");
       element_ = Element::later;
@@ -103,6 +101,7 @@ class HeaderReader {
   }
 
   HeaderLines lines_;
+  std::size_t most_rows_;
   PointTable table_;
   std::optional<Format> format_;
   Element element_ = Element::none;
@@ -117,15 +116,10 @@ std::vector<Eigen::Vector3f> decode(const PointTable& table, Format format, std:
 }  // namespace
 
 Scan parse_ply(std::string_view bytes, const std::filesystem::path& file) {
-  const auto [table, format] = HeaderReader(bytes, file).read();
+  const auto [table, format] = HeaderReader(bytes, file, kMostPoints).read();
   return {.points = decode(table, format, bytes), .rings = 1, .columns = static_cast<int>(table.rows)};
 }
 
-void check_ply_counts(std::string_view bytes, const std::filesystem::path& file) {
-  HeaderLines lines(file, bytes);
-  for (std::vector<std::string> words = lines.next(); words.empty() || words[0] != "end_header"; words = lines.next()) {
-    if (words.size() == 3 && words[0] == "element") lines.number(words[2], 0, bytes.size());
-  }
-}
+void check_ply_header(std::string_view bytes, const std::filesystem::path& file) { HeaderReader(bytes, file, bytes.size()).read(); }
 
 }  // namespace alignability::detail

@@ -11,7 +11,7 @@ namespace alignability::detail {
 /// Reads the `vertex` element of the bytes of a PLY file, version 1.0, of any format. `file` is the name that errors show.
 Scan parse_ply(std::string_view bytes, const std::filesystem::path& file);
 
-/// Throws InputError where the header of a PLY file declares more elements than the file has bytes.
-void check_ply_counts(std::string_view bytes, const std::filesystem::path& file);
+/// Throws InputError where the header of a PLY file is wrong, or declares more elements than the file has bytes.
+void check_ply_header(std::string_view bytes, const std::filesystem::path& file);
 
 }  // namespace alignability::detail

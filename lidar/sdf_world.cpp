@@ -94,13 +94,15 @@ sdf::Errors load_without_inertia(const fs::path& file, const sdf::ParserConfig& 
   const sdf::SDFPtr document(new sdf::SDF);
   sdf::Errors errors;
   sdf::init(document);
-  if (!sdf::readFile(file.string(), config, document, errors)) {
-    if (errors.empty()) errors.emplace_back(sdf::ErrorCode::FILE_READ, "cannot be read as SDF");
-    return errors;
+  try {
+    const bool ok = sdf::readFile(file.string(), config, document, errors);
+    if (!ok && errors.empty()) errors.emplace_back(sdf::ErrorCode::FILE_READ, "cannot be read as SDF");
+    if (!errors.empty()) return errors;
+    remove_inertia(document->Root());
+    return root.Load(document, config);
+  } catch (const std::exception& error) {
+    return {{sdf::ErrorCode::FILE_READ, std::string("cannot be read as SDF: ") + error.what()}};
   }
-  if (!errors.empty()) return errors;
-  remove_inertia(document->Root());
-  return root.Load(document, config);
 }
 
 // The messages of sdformat's console, a line each: "\033[1;33mWarning [Source.cc:12] \033[0mmessage".
@@ -111,7 +113,7 @@ std::vector<std::string> split_messages(const std::string& text) {
   for (std::string line; std::getline(lines, line);) {
     const std::size_t end = line.find(kEndOfPrefix);
     const std::string message = end == std::string::npos ? line : line.substr(end + kEndOfPrefix.size());
-    if (!message.empty()) messages.push_back(message);
+    if (!message.empty()) messages.push_back(message.substr(message.starts_with(' ') ? 1 : 0));
   }
   return messages;
 }
@@ -131,6 +133,12 @@ class SdformatSession {
   SdformatSession& operator=(const SdformatSession&) = delete;
 
   std::vector<std::string> messages() const { return split_messages(record_.str()); }
+  // ": " and the first error, "" when there is none. It says what of a value is wrong, which sdformat's own error objects do not.
+  std::string first_error() const {
+    const std::string text = record_.str();
+    const std::vector<std::string> errors = split_messages(text.substr(std::min(text.find("Error ["), text.size())));
+    return errors.empty() ? "" : ": " + errors.front();
+  }
 
  private:
   static std::mutex& in_use() {
@@ -174,7 +182,10 @@ class WorldBuilder {
     sdf::Root root;
     // Absolute, for a relative name such as world.sdf is first looked for among sdformat's own schemas.
     const sdf::Errors errors = load_without_inertia(fs::absolute(file_), config, root);
-    if (!errors.empty()) throw InputError(path_of(errors.front()), {errors.front().LineNumber().value_or(0), 0}, errors.front().Message());
+    if (!errors.empty()) {
+      const sdf::Error& error = errors.front();
+      throw InputError(path_of(error), {error.LineNumber().value_or(0), 0}, error.Message() + session.first_error());
+    }
     world_.warnings = session.messages();
     return root;
   }
@@ -250,6 +261,7 @@ class WorldBuilder {
 
   void add_plane(const sdf::Plane& plane, const Eigen::Affine3d& T_map_shape, const std::string& name, const sdf::Element& element) {
     const Eigen::Vector3d normal = to_eigen(plane.Normal());
+    require_positive(element, normal.norm(), "the length of a plane's normal");
     const Eigen::Affine3d T_map_plane = T_map_shape * Eigen::Quaterniond::FromTwoVectors(Eigen::Vector3d::UnitZ(), normal);
     if (options_.geometry == SdfGeometry::collision) {
       endless_planes_.push_back({name, T_map_plane});
@@ -280,6 +292,7 @@ class WorldBuilder {
     std::vector<fs::path> folders{fs::path(mesh.FilePath()).parent_path()};
     folders.insert(folders.end(), folders_.begin(), folders_.end());
     const std::optional<fs::path> found = find_in(folders, mesh.Uri());
+    if (mesh.Uri() == "__default__") fail(*mesh.Element(), "a mesh without <uri>");  // what sdformat fills in
     if (!found) fail(*mesh.Element(), "no mesh '" + mesh.Uri() + "' in any folder of models");
     return *found;
   }

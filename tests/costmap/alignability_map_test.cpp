@@ -133,6 +133,18 @@ TEST(AlignabilityMapFile, ReadsBackRandomMaps) {
   }
 }
 
+TEST(AlignabilityMapFile, ReadsBackMapsOfOneRowColumnOrCell) {
+  constexpr std::pair<int, int> kSizes[] = {{1, 1}, {1, 7}, {7, 1}};
+  for (const auto& [width, height] : kSizes) {
+    AlignabilityMap map;
+    map.geometry = {.resolution = 1.0, .width = width, .height = height};
+    Grid<float> values(map.geometry, kNone);
+    for (std::size_t i = 0; i < map.geometry.size(); i += 2) values[i] = 0.125f * static_cast<float>(i);
+    map.layers = {{"alpha", values}, {"iqr", Grid<float>(map.geometry, kNone)}};
+    expect_same(again(map), map);
+  }
+}
+
 TEST(AlignabilityMapFile, KeepsAnySeed) {
   AlignabilityMap map = small_map();
   for (const std::uint64_t seed : {std::uint64_t{0}, std::uint64_t{1} << 63, std::numeric_limits<std::uint64_t>::max()}) {

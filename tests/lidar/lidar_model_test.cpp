@@ -88,27 +88,28 @@ TEST_P(MalformedSensorFile, IsRefusedAtTheKey) {
   const std::size_t at = text.find(GetParam().replaced);
   ASSERT_NE(at, std::string::npos);
   text.replace(at, std::string_view(GetParam().replaced).size(), GetParam().by);
-  EXPECT_THAT(test::fault_of([&] { parse_lidar_model(text, "s.yaml"); }), HasSubstr(GetParam().message));
+  EXPECT_EQ(test::fault_of([&] { parse_lidar_model(text, "s.yaml"); }), GetParam().message);
 }
 
 INSTANTIATE_TEST_SUITE_P(
     Table, MalformedSensorFile,
-    testing::Values(Fault{"MissingName", "name: Velodyne HDL-32E\n", "", "missing key 'name'"},
-                    Fault{"MisspeltKey", "rate: 10", "rte: 10", "s.yaml:5:1: unknown key 'rte' (did you mean 'rate'?)"},
-                    Fault{"UnknownKeyInSpan", "count: 32", "count: 32, step: 1", "s.yaml:2:53: unknown key 'step'"},
-                    Fault{"ElevationAboveTheZenith", "max: 10.67", "max: 110", "s.yaml:2:35: 'max' must be from -90 to 90"},
-                    Fault{"TooManyRings", "count: 32", "count: 100000", "'count' must be a whole number from 1 to 1024"},
-                    Fault{"TooManyBeams", "count: 2170", "count: 1000000", "'count' must be a whole number from 1 to 131072"},
-                    Fault{"HalfAColumn", "count: 2170", "count: 0.5", "'count' must be a whole number"},
-                    Fault{"ReversedSpan", "min: -180, max: 180", "min: 180, max: -180", "'max' must be greater than 'min'"},
-                    Fault{"MoreThanACircle", "min: -180, max: 180", "min: -200, max: 200", "'azimuth_deg' must span at most 360"},
-                    Fault{"OneBeamForASpan", "count: 32", "count: 1", "'count' of 1 needs 'min' and 'max' to be equal"},
-                    Fault{"EmptyList", "{min: -30.67, max: 10.67, count: 32}", "[]", "'elevation_deg' must list from 1 to 1024 angles"},
-                    Fault{"NotANumber", "stddev: 0.008", "stddev: .nan", "'stddev' must be"},
-                    Fault{"NegativeNoise", "stddev: 0.008", "stddev: -1", "'stddev' must be"},
-                    Fault{"RangesReversed", "max: 100", "max: 0.4", "'max' must be greater than 0.5"},
-                    Fault{"StandingStill", "rate: 10", "rate: 0", "'rate' must be greater than 0"},
-                    Fault{"MountOfTwoNumbers", "[0.1, 0, 1.9]", "[0.1, 0]", "'xyz' must be a list of 3 numbers"}),
+    testing::Values(
+        Fault{"MissingName", "name: Velodyne HDL-32E\n", "", "s.yaml:1:1: missing key 'name'"},
+        Fault{"MisspeltKey", "rate: 10", "rte: 10", "s.yaml:5:1: unknown key 'rte' (did you mean 'rate'?)"},
+        Fault{"UnknownKeyInSpan", "count: 32", "count: 32, step: 1", "s.yaml:2:53: unknown key 'step'"},
+        Fault{"ElevationAboveTheZenith", "max: 10.67", "max: 110", "s.yaml:2:35: 'max' must be from -90 to 90, not 110"},
+        Fault{"TooManyRings", "count: 32", "count: 100000", "s.yaml:2:49: 'count' must be a whole number from 1 to 1024, not 100000"},
+        Fault{"TooManyBeams", "count: 2170", "count: 1000000", "s.yaml:3:43: 'count' must be a whole number from 1 to 131072, not 1000000"},
+        Fault{"HalfAColumn", "count: 2170", "count: 0.5", "s.yaml:3:43: 'count' must be a whole number from 1 to 131072, not 0.5"},
+        Fault{"ReversedSpan", "min: -180, max: 180", "min: 180, max: -180", "s.yaml:3:30: 'max' must be greater than 'min', which is 180"},
+        Fault{"MoreThanACircle", "min: -180, max: 180", "min: -200, max: 200", "s.yaml:3:14: 'azimuth_deg' must span at most 360 degrees"},
+        Fault{"OneBeamForASpan", "count: 32", "count: 1", "s.yaml:2:49: 'count' of 1 needs 'min' and 'max' to be equal"},
+        Fault{"EmptyList", "{min: -30.67, max: 10.67, count: 32}", "[]", "s.yaml:2:16: 'elevation_deg' must list from 1 to 1024 angles"},
+        Fault{"NotANumber", "stddev: 0.008", "stddev: .nan", "s.yaml:4:37: 'stddev' must be from 0 to 10000, not .nan"},
+        Fault{"NegativeNoise", "stddev: 0.008", "stddev: -1", "s.yaml:4:37: 'stddev' must be from 0 to 10000, not -1"},
+        Fault{"RangesReversed", "max: 100", "max: 0.4", "s.yaml:4:24: 'max' must be greater than 0.5 and at most 10000, not 0.4"},
+        Fault{"StandingStill", "rate: 10", "rate: 0", "s.yaml:5:7: 'rate' must be greater than 0 and at most 1e+06, not 0"},
+        Fault{"MountOfTwoNumbers", "[0.1, 0, 1.9]", "[0.1, 0]", "s.yaml:6:14: 'xyz' must be a list of 3 numbers, not 2"}),
     [](const auto& instance) { return instance.param.what; });
 
 }  // namespace

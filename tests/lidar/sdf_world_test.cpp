@@ -8,33 +8,23 @@
 
 #include "lidar/scene.hpp"
 #include "tests/lidar/fixtures.hpp"
+#include "tests/lidar/sdf_text.hpp"
 #include "tests/shared_data.hpp"
 
 namespace alignability {
 namespace {
 
 using test::fault_of;
+using test::kBox;
+using test::kTetrahedron;
+using test::model;
+using test::shape;
 using test::TemporaryFolder;
+using test::world;
 using test::write;
 using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
-
-constexpr const char* kBox = "<box><size>1 2 3</size></box>";
-constexpr const char* kTetrahedron = "v 0 0 0\nv 1 0 0\nv 0 2 0\nv 0 0 3\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
-
-std::string world(const std::string& content) {
-  return "<?xml version=\"1.0\"?>\n<sdf version=\"1.7\">\n<world name=\"w\">\n" + content + "\n</world></sdf>\n";
-}
-
-std::string shape(const std::string& geometry, const std::string& pose = "0 0 0 0 0 0") {
-  const std::string inside = "<pose>" + pose + "</pose><geometry>" + geometry + "</geometry>";
-  return "<collision name=\"c\">" + inside + "</collision><visual name=\"v\">" + inside + "</visual>";
-}
-
-std::string model(const std::string& shapes, const std::string& pose = "0 0 0 0 0 0") {
-  return "<model name=\"m\"><pose>" + pose + "</pose><static>true</static><link name=\"l\">" + shapes + "</link></model>";
-}
 
 Eigen::AlignedBox3f box_of(const World& read) { return bounds(merged(read.meshes, "")); }
 
@@ -161,30 +151,6 @@ TEST(SdfWorld, DoesNotMindImpossibleMasses) {
   EXPECT_EQ(read_world(write(folder, "w.sdf", world(model(inertial + shape(kBox))))).meshes.size(), 1u);
 }
 
-TEST(SdfWorld, RefusesWhatItCannotRead) {
-  const TemporaryFolder folder;
-  const auto fault = [&](const std::string& text) { return fault_of([&] { read_world(write(folder, "w.sdf", text)); }); };
-  EXPECT_EQ(fault_of([&] { read_world(folder / "missing.sdf"); }), "missing.sdf: no such file");
-  EXPECT_THAT(fault(""), HasSubstr("w.sdf:1: not valid XML: "));
-  EXPECT_THAT(fault("<sdf version=\"1.7\"><world"), HasSubstr("w.sdf:1: not valid XML: "));
-  EXPECT_THAT(fault("<sdf version=\"1.7\"></sdf>"), HasSubstr("w.sdf: "));
-  EXPECT_THAT(fault("<html/>"), HasSubstr("w.sdf:1: expected <sdf>, not <html>"));
-  EXPECT_THAT(fault(world(model(shape("<mesh><uri>model://no/such.dae</uri></mesh>")))),
-              HasSubstr("w.sdf:4: no mesh 'model://no/such.dae'"));
-  EXPECT_THAT(fault(world("<include><uri>model://no_such</uri></include>")), HasSubstr("w.sdf:4: no model 'model://no_such'"));
-  EXPECT_THAT(fault(world("<include><uri>https://example.org/crate</uri></include>")), HasSubstr("w.sdf:4: "));
-  EXPECT_THAT(fault(world(model(shape("<box><size>1 -2 3</size></box>")))), HasSubstr("w.sdf:4: the size of a box must be greater than 0"));
-  EXPECT_THAT(fault(world(model(shape("<sphere><radius>0</radius></sphere>")))), HasSubstr("w.sdf:4: the radius of a sphere"));
-  EXPECT_NE(fault(world(model(shape("<box><size>a b c</size></box>")))), "");
-  EXPECT_NE(fault(world(model(shape("<box><size>nan 1 1</size></box>")))), "");
-  EXPECT_NE(fault(world(model(shape(kBox, "0 0 nan 0 0 0")))), "");
-  write(folder, "t.obj", kTetrahedron);
-  EXPECT_THAT(fault(world(model(shape("<mesh><uri>t.obj</uri><scale>1 0 1</scale></mesh>")))),
-              HasSubstr("the scale of a mesh must have no zero"));
-  write(folder, "bad.obj", "nothing");
-  EXPECT_THAT(fault(world(model(shape("<mesh><uri>bad.obj</uri></mesh>")))), HasSubstr("bad.obj: "));
-}
-
 TEST(SdfWorld, IncludesModelsThatIncludeModels) {
   const TemporaryFolder folder;
   write(folder, "models/outer_crate/model.sdf",
@@ -192,20 +158,6 @@ TEST(SdfWorld, IncludesModelsThatIncludeModels) {
   write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">" + model(shape(kBox)) + "</sdf>");
   const auto file = write(folder, "w.sdf", world("<include><uri>model://outer_crate</uri></include>"));
   EXPECT_EQ(read_world(file).meshes.at(0).name, "outer::m::l::c");
-  write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">\n" + model(shape("<mesh><uri>no.dae</uri></mesh>")) + "</sdf>");
-  EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("model.sdf:2: no mesh 'no.dae'"));
-  write(folder, "models/inner_crate/model.sdf", "<sdf version=\"1.7\">\n<model");
-  EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("model.sdf:2: not valid XML: "));
-}
-
-TEST(SdfWorld, RefusesAModelThatIncludesItself) {
-  const TemporaryFolder folder;
-  write(folder, "models/outer_crate/model.sdf",
-        "<sdf version=\"1.7\"><model name=\"outer\"><include><uri>model://inner_crate</uri></include></model></sdf>");
-  write(folder, "models/inner_crate/model.sdf",
-        "<sdf version=\"1.7\"><model name=\"inner\">\n<include><uri>model://outer_crate</uri></include></model></sdf>");
-  EXPECT_EQ(fault_of([&] { read_world(write(folder, "w.sdf", world("<include><uri>model://outer_crate</uri></include>"))); }),
-            "model.sdf:2: 'model://outer_crate' includes itself");
 }
 
 TEST(Site, IsAWorldOrAMesh) {
