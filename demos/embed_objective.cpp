@@ -17,7 +17,7 @@ int main() {
   const std::filesystem::path site = "maps/warehouse";
   const OccupancyMap occupancy = read_occupancy_map(site / "occupancy.yaml");
   const auto risk = std::make_shared<RiskField>(read_alignability_map(site / "alignability.yaml"), occupancy, RiskOptions{});
-  const DrivableArea area(std::make_shared<ClearanceMap>(occupancy), risk, Robot{.radius = 0.6, .footprint = {}});
+  const DrivableArea area(std::make_shared<ClearanceMap>(occupancy), risk, Robot{.radius = 0.6});
 
   const auto plane = std::make_shared<ompl::base::RealVectorStateSpace>();
   plane->addDimension(0.0, 60.0);

@@ -42,8 +42,8 @@ struct PathPictureOptions {
   RiskOptions risk;            ///< what counts as blind
   std::optional<Pose2> start;  ///< marked with its heading
   std::optional<Pose2> goal;
-  double robot_radius = 0.0;               ///< drawn to scale about start and goal where it exceeds their markers [m]
-  std::vector<Eigen::Vector2d> footprint;  ///< in the disk's place where it has corners, in `base_link` [m]
+  double robot_radius = 0.0;                 ///< drawn to scale about start and goal where it exceeds their markers [m]
+  std::vector<Eigen::Vector2d> footprint{};  ///< in the disk's place where it has corners, in `base_link` [m]
 };
 
 /// Draws paths over a pale alignability map, blind stretches in a red halo, and below it α along each path. Blind is α below

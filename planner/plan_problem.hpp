@@ -23,10 +23,10 @@ struct Motion {
 
 /// Which planner, and when it stops: after `iterations` when they are given, else after `time`.
 struct PlannerChoice {
-  std::string name;                        ///< one of planner_names(); empty: kDefaultPlanner
-  double time = 2.0;                       ///< [s], > 0
-  std::optional<std::int64_t> iterations;  ///< samples, roughly: planners count differently
-  std::uint32_t seed = 1;                  ///< >= 1
+  std::string name;                          ///< one of planner_names(); empty: kDefaultPlanner
+  double time = 2.0;                         ///< [s], > 0
+  std::optional<std::int64_t> iterations{};  ///< samples, roughly: planners count differently
+  std::uint32_t seed = 1;                    ///< >= 1
 };
 
 /// What to plan, but for the maps.

@@ -12,8 +12,8 @@ namespace alignability {
 
 /// The robot's outline in the plane: a disk around `base_link`, or a polygon.
 struct Robot {
-  double radius = 0.0;                     ///< [m], > 0; without effect where there is a footprint
-  std::vector<Eigen::Vector2d> footprint;  ///< corners in `base_link` in order [m]; a simple polygon, convex or not; empty: the disk
+  double radius = 0.0;                       ///< [m], > 0; without effect where there is a footprint
+  std::vector<Eigen::Vector2d> footprint{};  ///< corners in `base_link` in order [m]; a simple polygon, convex or not; empty: the disk
 };
 
 /// The radius of the largest disk around `base_link` within the outline [m]; 0 where `base_link` lies outside of it.

@@ -148,6 +148,44 @@ TEST_F(Cli, PrintsTheJsonThatTheDesignPromises) {
   EXPECT_EQ(compare["risk_aware"]["weight"], 5.0);
 }
 
+TEST_F(Cli, ComparesOverWeights) {
+  make_maps();
+  const test::Outcome outcome = run({"compare", "problem.yaml", "--weights", "1,2", "-o", "both"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("risk integral      detour"));
+  EXPECT_TRUE(exists("both_curve.png") && exists("both.png"));
+  const json compare = json::parse(run({"compare", "problem.yaml", "--weights", "1,2", "--json"}).out);
+  ASSERT_EQ(compare["curve"].size(), 4u);  // 0 and the problem's 5 as well
+  EXPECT_EQ(compare["curve"][0]["weight"], 0.0);
+  EXPECT_EQ(compare["curve"][0]["length"], compare["shortest"]["length"]);
+  EXPECT_EQ(compare["curve"][3]["cost"], compare["risk_aware"]["cost"]);
+}
+
+TEST_F(Cli, ComparesBetweenRandomPairs) {
+  make_maps();
+  const test::Outcome outcome = run({"compare", "problem.yaml", "--pairs", "4", "--seed", "3", "-o", "pairs"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("4 pairs, 4 of them solved for both"));
+  EXPECT_TRUE(exists("pairs.png") && exists("pairs.csv") && exists("pairs.json"));
+  const json pairs = json::parse(run({"compare", "problem.yaml", "--pairs", "4", "--seed", "3", "--json"}).out);
+  EXPECT_EQ(pairs["solved"], 4);
+  EXPECT_EQ(pairs["each"].size(), 4u);
+  EXPECT_GE(pairs["length_ratio"]["max"], pairs["length_ratio"]["median"]);
+  EXPECT_EQ(run({"compare", "problem.yaml", "--pairs", "4", "--weights", "1"}).exit_code, 2);
+}
+
+TEST_F(Cli, PlansForAFootprint) {
+  make_maps();
+  folder.write(
+      "truck.yaml",
+      "map: occupancy.yaml\nalignability: alignability.yaml\nrobot: {footprint: [[0.6, 0.25], [-0.2, 0.25], [-0.2, -0.25], [0.6, -0.25]]}\n"
+      "start: [1.5, 3, 1.5]\ngoal: [6.5, 3, -1.5]\nplanner: {iterations: 5000, seed: 1}\n");
+  const json plan = json::parse(run({"plan", "truck.yaml", "--json", "-o", "truck"}).out);
+  EXPECT_EQ(plan["status"], "solved");
+  EXPECT_EQ(plan["options"]["robot"]["footprint"].size(), 4u);
+  EXPECT_TRUE(exists("truck.png"));
+}
+
 TEST_F(Cli, WritesNoFileUnlessAskedTo) {
   make_maps();
   const int before = folder.files();
