@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <cctype>
 #include <exception>
 #include <iostream>
 #include <new>
@@ -7,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/ompl_log.hpp"
+#include "cli/strict_numbers.hpp"
 #include "core/input_error.hpp"
 #include "core/progress.hpp"
 
@@ -25,30 +27,41 @@ std::vector<std::string> option_names(const CLI::App& command) {
   std::vector<std::string> names;
   for (const CLI::Option* option : command.get_options()) {
     for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
+    for (const std::string& name : option->get_snames()) names.push_back("-" + name);
   }
   return names;
 }
 
-// " (did you mean …?)" for the first word that is no option of the command.
-std::string hint(const CLI::App& command, const std::vector<std::string>& words) {
+bool looks_like_an_option(const std::string& word) {
+  return word.size() > 1 && word[0] == '-' && word[1] != '.' && std::isdigit(static_cast<unsigned char>(word[1])) == 0;
+}
+
+// "unknown option '…' (did you mean …?)" for the first word that is none of the command, "" when there is none.
+std::string unknown_option(const CLI::App& command, const std::vector<std::string>& words) {
   const std::vector<std::string> names = option_names(command);
   for (const std::string& word : words) {
-    const std::string name = word.substr(0, word.find('='));
-    if (name.starts_with("--") && std::ranges::find(names, name) == names.end()) return did_you_mean(name, names);
+    if (!looks_like_an_option(word)) continue;
+    const bool is_long = word.starts_with("--");
+    const std::string name = is_long ? word.substr(0, word.find('=')) : word.substr(0, 2);
+    if (std::ranges::find(names, name) != names.end()) continue;
+    return "unknown option '" + name + '\'' + (is_long ? did_you_mean(name, names) : "");
   }
   return {};
 }
 
-// What CLI11 says of a wrong command line, and the command or option that was meant.
-int report(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
-  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error) == 0 ? kYes : kBadInput;
+// The likeliest cause of a wrong command line is a misspelt word, so those are looked for before CLI11 is heard.
+std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   const std::vector<CLI::App*> chosen = app.get_subcommands();
   if (chosen.empty() && !words.empty() && !words.front().starts_with("-")) {
-    std::cerr << "alignability: unknown command '" << words.front() << '\'' << did_you_mean(words.front(), command_names(app));
-  } else {
-    std::cerr << "alignability: " << error.what() << (chosen.empty() ? "" : hint(*chosen.front(), words));
+    return "unknown command '" + words.front() + '\'' + did_you_mean(words.front(), command_names(app));
   }
-  std::cerr << "\nRun with --help for more information.\n";
+  const std::string unknown = unknown_option(chosen.empty() ? app : *chosen.front(), words);
+  return unknown.empty() ? error.what() : unknown;
+}
+
+int report(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
+  if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error) == 0 ? kYes : kBadInput;
+  std::cerr << "alignability: " << fault_of(app, error, words) << "\nRun with --help for more information.\n";
   return kBadInput;
 }
 
@@ -83,6 +96,7 @@ int main(int argc, char** argv) {
   add_map(app, work);
   add_plan(app, work);
   add_compare(app, work);
+  refuse_what_is_no_number(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

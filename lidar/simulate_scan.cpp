@@ -6,6 +6,7 @@
 #include <initializer_list>
 #include <limits>
 #include <random>
+#include <stdexcept>
 #include <vector>
 
 namespace alignability {
@@ -35,6 +36,7 @@ void add_noise(std::vector<float>& ranges, double stddev, const NoiseKey& key) {
 
 Scan simulate_scan(const Scene& scene, const LidarModel& model, const Eigen::Isometry3d& T_map_lidar, const ScanOptions& options,
                    std::optional<NoiseKey> noise) {
+  if (!T_map_lidar.matrix().allFinite()) throw std::invalid_argument("a lidar must stand at a finite pose");
   const double range_max = std::min(model.range_max, options.range_max.value_or(model.range_max));
   const bool noisy = noise.has_value() && model.range_stddev > 0.0;
 

@@ -4,6 +4,8 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <stdexcept>
 #include <utility>
 
 namespace alignability {
@@ -123,6 +125,9 @@ void add_cut(Slice& slice, const Corners& corners, double height) {
 }  // namespace
 
 Slice slice(const std::vector<TriangleMesh>& meshes, double z_min, double z_max) {
+  if (!std::isfinite(z_min) || !std::isfinite(z_max) || z_min >= z_max) {
+    throw std::invalid_argument("a slice needs finite heights, the lower one first");
+  }
   Slice result;
   for (const TriangleMesh& mesh : meshes) {
     for (const auto& triangle : mesh.triangles) add_surface(result, corners_of(mesh, triangle), z_min, z_max);

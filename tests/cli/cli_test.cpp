@@ -224,40 +224,6 @@ TEST_F(Cli, SaysNoWithExitCodeOne) {
   EXPECT_THAT(outcome.err, HasSubstr("collides at the start"));
 }
 
-TEST_F(Cli, RefusesAWrongCommandLineWithExitCodeTwo) {
-  struct Fault {
-    std::vector<std::string> arguments;
-    const char* message;
-  };
-  const Fault faults[] = {
-      {{}, "A subcommand is required"},
-      {{"plam", "problem.yaml"}, "did you mean 'plan'?"},
-      {{"plan", "problem.yaml", "--wieght", "3"}, "did you mean '--weight'?"},
-      {{"plan"}, "problem is required"},
-      {{"plan", "problem.yaml", "--weight", "-3"}, "--weight"},
-      {{"plan", "problem.yaml", "--time", "1", "--iterations", "5"}, "--time excludes --iterations"},
-      {{"occupancy", "world.sdf", "-o", "x"}, "--z-min is required"},
-      {{"occupancy", "world.sdf", "--z-min", "2", "--z-max", "1", "-o", "x"}, "--z-min must be less than --z-max"},
-      {{"map", "--scene", "world.sdf", "--samples", "0"}, "--samples"},
-      {{"score", "a.pcd", "b.pcd", "--picture", "x.png"}, "--picture draws one scan"},
-      {{"score", "missing.pcd"}, "missing.pcd: no such file"},
-      {{"plan", "missing.yaml"}, "missing.yaml: no such file"},
-      {{"explain", "1,1"}, "--scene is required, or a --problem that names one"},
-      {{"explain", "1,1", "--scene", "world.sdf"}, "--sensor is required, or a --problem that names one"},
-      {{"explain", "1,1", "--problem", "problem.yaml"}, "problem.yaml: names no 'scene'; give --scene"},
-      {{"explain", "1", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "place"},
-      {{"explain", "1,1", "--scene", "missing.sdf", "--sensor", "sensor.yaml"}, "missing.sdf: no such file"},
-      {{"explain", "4,3", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "world.sdf: at 4, 3 the sensor would be in a surface"},
-      {{"explain", "40,-3", "--scene", "world.sdf", "--sensor", "sensor.yaml"}, "world.sdf: the place 40, -3 lies off it"},
-  };
-  for (const Fault& fault : faults) {
-    const test::Outcome outcome = run(fault.arguments);
-    EXPECT_EQ(outcome.exit_code, 2) << fault.message;
-    EXPECT_THAT(outcome.err, HasSubstr(fault.message));
-    EXPECT_EQ(outcome.out, "");
-  }
-}
-
 TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
   folder.write("bad.yaml",
                "map: occupancy.yaml\nalignability: alignability.yaml\nrobot: {radius: 0.3}\nstart: [1.5, 3, 0]\ngoal: [6.5, 3, 0]\nrisk: "

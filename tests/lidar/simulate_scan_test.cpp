@@ -120,6 +120,12 @@ TEST(SimulateScan, NoiseOfABeamDoesNotDependOnWhatOthersHit) {
   EXPECT_EQ(a.points[12 + 6], b.points[12 + 6]);
 }
 
+TEST(SimulateScan, NeedsAFinitePose) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_THROW(simulate_scan(room(20, 20, 20), small_lidar(), at(nan, 0, 0, 0)), std::invalid_argument);
+  EXPECT_THROW(simulate_scan(room(20, 20, 20), small_lidar(), at(0, 0, 0, nan)), std::invalid_argument);
+}
+
 // The stream of random numbers is part of what makes maps repeat: on another machine it must be this one.
 TEST(SimulateScan, NoiseIsTheSameOnEveryMachine) {
   LidarModel model = small_lidar();

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <random>
 #include <utility>
@@ -132,6 +133,15 @@ TEST(Slice, AFloorThatFacesDownIsStillOne) {
   TriangleMesh floor = make_rectangle(2, 2);
   for (auto& triangle : floor.triangles) std::swap(triangle[0], triangle[1]);
   EXPECT_NEAR(total_area(slice({floor}, 0.1, 1).floors), 4.0, 1e-9);
+}
+
+TEST(Slice, NeedsFiniteHeightsInOrder) {
+  constexpr double kNan = std::numeric_limits<double>::quiet_NaN();
+  constexpr double kInfinity = std::numeric_limits<double>::infinity();
+  constexpr std::pair<double, double> kBands[] = {{kNan, 1.0}, {0.0, kNan}, {0.0, kInfinity}, {-kInfinity, 1.0}, {1.0, 1.0}, {2.0, 1.0}};
+  for (const auto& [z_min, z_max] : kBands) {
+    EXPECT_THROW(slice({make_box({4, 2, 2})}, z_min, z_max), std::invalid_argument) << z_min << ' ' << z_max;
+  }
 }
 
 TEST(Slice, OfAnOfficeJoinsAndLeavesRoomsFree) {

@@ -16,7 +16,8 @@ namespace {
 const Eigen::Vector2d kOffset(0.10, 0.15);
 
 // The height of the robot's lidar is not told. Its map shows the mast of the pallet jack and not its forks, which end at 0.18 m, and
-// the shelves' feet and not their lowest boards, from 0.73 m on; between these the slice hardly changes. Simulated beams meet collision shapes.
+// the shelves' feet and not their lowest boards, from 0.73 m on; between these the slice hardly changes. Simulated beams meet collision
+// shapes.
 constexpr double kZMin = 0.29;
 constexpr double kZMax = 0.31;
 
