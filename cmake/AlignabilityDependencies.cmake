@@ -16,7 +16,7 @@ set(alignability_costmap_private yaml-cpp TIFF PNG)
 
 set(alignability_planner_beneath costmap)
 set(alignability_planner_public "Boost 1.74 CONFIG" AlignabilityOmpl)
-set(alignability_planner_private yaml-cpp)
+set(alignability_planner_private nlohmann_json yaml-cpp)
 
 set(alignability_lidar_beneath core)
 set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat12 assimp)

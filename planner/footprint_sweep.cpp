@@ -19,6 +19,7 @@ FootprintSweep::FootprintSweep(std::shared_ptr<const ClearanceMap> map, const st
     const Eigen::Vector2d& to = footprint[(i + 1) % footprint.size()];
     edges_.push_back({from, to, std::max(from.norm(), to.norm())});
     reach_ = std::max(reach_, from.norm());
+    longest_edge_ = std::max(longest_edge_, (to - from).norm());
   }
 }
 
@@ -30,8 +31,10 @@ bool FootprintSweep::is_clear(const Pose2& from, const Pose2& to) const { return
 bool FootprintSweep::edges_sweep_clear(const Pose2& from, const Pose2& to) const {
   constexpr double kFinest = 1e-3;  // [cells]
   if (map_->is_clear(from.position(), to.position(), reach_) || edges_are_clear(from, to)) return true;
-  const double turned = normalized_angle(to.yaw - from.yaw);
-  if (reach_ * turned * turned / 8.0 <= kFinest * map_->geometry().resolution) return false;
+  const double turned = std::abs(normalized_angle(to.yaw - from.yaw));
+  // What a hull of an edge's four ends has too much: the bulge, and a quarter of what the edge twists by on its way.
+  const double excess = reach_ * turned * turned / 8.0 + longest_edge_ * turned / 4.0;
+  if (excess <= kFinest * map_->geometry().resolution) return false;
   const Pose2 middle = between(from, to, 0.5);
   return edges_are_clear(middle, middle) && edges_sweep_clear(from, middle) && edges_sweep_clear(middle, to);
 }

@@ -37,7 +37,8 @@ class FootprintSweep {
 
   std::shared_ptr<const ClearanceMap> map_;
   std::vector<Edge> edges_;
-  double reach_ = 0.0;
+  double reach_ = 0.0;         // of the farthest corner from base_link [m]
+  double longest_edge_ = 0.0;  // [m]
 };
 
 }  // namespace alignability

@@ -52,7 +52,7 @@ class FigureSum {
 
   PathFigures result() const {
     PathFigures figures = figures_;
-    figures.alpha_mean = evaluated_ > 0.0 ? alpha_integral_ / evaluated_ : alpha_min_;
+    figures.alpha_mean = figures.evaluated_length > 0.0 ? alpha_integral_ / figures.evaluated_length : alpha_min_;
     figures.alpha_min = alpha_min_;
     return figures;
   }
@@ -63,7 +63,7 @@ class FigureSum {
       add_stretch(length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
       return;
     }
-    evaluated_ += length;
+    figures_.evaluated_length += length;
     alpha_integral_ += length * alpha.mean();
     alpha_min_ = std::fmin(alpha_min_, least(alpha));
     const auto cuts = split_at(alpha, risk_.options().alpha_critical);
@@ -81,7 +81,6 @@ class FigureSum {
   const RiskField& risk_;
   PathFigures figures_;
   double current_blind_ = 0.0;
-  double evaluated_ = 0.0;
   double alpha_integral_ = 0.0;
   double alpha_min_ = std::numeric_limits<double>::quiet_NaN();
 };

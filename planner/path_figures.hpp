@@ -11,12 +11,13 @@ namespace alignability {
 /// What a path of straight segments is worth, exactly: no sampling. Lengths in metres.
 struct PathFigures {
   double length = 0.0;
-  double turned = 0.0;         ///< ∫ |dyaw| [rad]
-  double risk_integral = 0.0;  ///< ∫ risk ds
-  double blind_length = 0.0;   ///< where RiskField::is_blind
-  double longest_blind = 0.0;  ///< the longest stretch without a break
-  double alpha_mean = 0.0;     ///< by length, over evaluated places; NaN when there are none
-  double alpha_min = 0.0;      ///< over evaluated places; NaN when there are none
+  double turned = 0.0;            ///< ∫ |dyaw| [rad]
+  double risk_integral = 0.0;     ///< ∫ risk ds
+  double blind_length = 0.0;      ///< where RiskField::is_blind
+  double longest_blind = 0.0;     ///< the longest stretch without a break
+  double evaluated_length = 0.0;  ///< where α has a value
+  double alpha_mean = 0.0;        ///< by length, over evaluated places; NaN when there are none
+  double alpha_min = 0.0;         ///< over evaluated places; NaN when there are none
 };
 
 /// O(α-cells crossed).

@@ -16,6 +16,7 @@
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
+#include "planner/headings.hpp"
 #include "planner/path_shortening.hpp"
 #include "planner/planners.hpp"
 #include "planner/poses.hpp"
@@ -99,12 +100,6 @@ ob::PlannerTerminationCondition until(const PlannerChoice& choice, const std::st
       [stop, asked, limit = *choice.iterations] { return stop.stop_requested() || asked->fetch_add(1) >= limit; });
 }
 
-// A path in R² has no heading of its own: the robot looks where it goes.
-void look_ahead(std::vector<Pose2>& path, const PlanQuery& query) {
-  for (std::size_t i = 0; i + 1 < path.size(); ++i) path[i].yaw = std::atan2(path[i + 1].y - path[i].y, path[i + 1].x - path[i].x);
-  path.back().yaw = path.size() > 1 ? path[path.size() - 2].yaw : query.start.yaw;
-}
-
 // CForest gives its path in a wrapper of the space.
 og::PathGeometric in_space(const ob::SpaceInformationPtr& si, og::PathGeometric& path) {
   og::PathGeometric own(si);
@@ -116,8 +111,8 @@ std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& quer
   const StateProjection projection = projection_of(path.getSpaceInformation()->getStateSpace());
   std::vector<Pose2> poses;
   for (std::size_t i = 0; i < path.getStateCount(); ++i) poses.push_back(projection(path.getState(static_cast<unsigned int>(i))));
-  if (query.motion.space == MotionSpace::r2) look_ahead(poses, query);
-  return poses;
+  // A path in R² has no heading of its own: the robot looks where it goes.
+  return query.motion.space == MotionSpace::r2 ? looking_ahead(std::move(poses), query.start.yaw) : poses;
 }
 
 og::PathGeometric standing_path(const ob::ProblemDefinition& definition) {

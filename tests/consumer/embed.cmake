@@ -1,8 +1,8 @@
 # Builds the README's program by the README's CMakeLists, on a machine that has what the planner needs and no more, and runs it.
 include(${CONSUMER}/stranger.cmake)
-set(absent PCL AlignabilityPcl embree sdformat12 assimp EXPAT TBB PkgConfig AlignabilityCairomm CLI11 nlohmann_json)
+set(absent PCL AlignabilityPcl embree sdformat12 assimp EXPAT TBB PkgConfig AlignabilityCairomm CLI11)
 if(INSTALLED_SHARED)
-  list(APPEND absent yaml-cpp TIFF PNG)
+  list(APPEND absent yaml-cpp TIFF PNG nlohmann_json)
 endif()
 list(TRANSFORM absent REPLACE "(.+)" "-DCMAKE_DISABLE_FIND_PACKAGE_\\1=ON")
 

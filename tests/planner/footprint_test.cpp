@@ -88,7 +88,7 @@ TEST_P(EveryFootprint, IsRefusedAMotionOnlyWhereItComesWithinAThousandthOfACell)
   std::mt19937_64 engine(7);
   std::uniform_real_distribution<double> small(-0.3, 0.3);
   int refused = 0;
-  for (int i = 0; i < 300; ++i) {
+  for (int i = 0; i < 400; ++i) {
     const Pose2 from = poses.next();
     const Pose2 to{from.x + small(engine), from.y + small(engine), from.yaw + small(engine)};
     if (!sweep.is_clear(from) || sweep.is_clear(from, to)) continue;
@@ -99,6 +99,27 @@ TEST_P(EveryFootprint, IsRefusedAMotionOnlyWhereItComesWithinAThousandthOfACell)
     EXPECT_LT(nearest, 1e-3 + 1e-3 * map.geometry().resolution);
   }
   EXPECT_GT(refused, 20);
+}
+
+TEST_P(EveryFootprint, IsAllowedALongMotionUpToWhereItCollides) {
+  const OccupancyMap map = scattered(15);
+  const FootprintSweep sweep(std::make_shared<const ClearanceMap>(map), robot().footprint);
+  Poses poses(10);
+  int refused = 0;
+  for (int i = 0; i < 1000; ++i) {
+    const Pose2 from = poses.next();
+    const Pose2 to = poses.next();
+    if (!sweep.is_clear(from) || sweep.is_clear(from, to)) continue;
+    ++refused;
+    double clear = 0.0;
+    double obstructed = 1.0;
+    while (obstructed - clear > 1e-7) {
+      const double middle = 0.5 * (clear + obstructed);
+      (sweep.is_clear(from, between(from, to, middle)) ? clear : obstructed) = middle;
+    }
+    EXPECT_LT(sweep.clearance(between(from, to, obstructed)), 1e-5 + 1e-3 * map.geometry().resolution) << i;
+  }
+  EXPECT_GT(refused, 50);
 }
 
 TEST_P(EveryFootprint, NeverPassesAWallOfOneCell) {
