@@ -21,12 +21,16 @@ constexpr double kKeyPitch = 28.0;
 constexpr double kKeyLine = 44.0;
 
 Span span_of(const DistributionPanel& panel) {
+  double least = panel.from;
   double largest = panel.from;
   for (const DistributionCurve& curve : panel.curves) {
-    for (const double value : curve.values) largest = std::max(largest, value);
+    for (const double value : curve.values) {
+      least = std::min(least, value);
+      largest = std::max(largest, value);
+    }
   }
-  const double extent = largest > panel.from ? largest - panel.from : 1.0;
-  return {panel.from, panel.from + 1.05 * extent};
+  const double extent = largest > least ? largest - least : 1.0;
+  return {least, least + 1.05 * extent};
 }
 
 void stroke_in(const Context& context, const DistributionCurve& curve) {

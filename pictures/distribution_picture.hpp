@@ -21,7 +21,7 @@ struct DistributionCurve {
 struct DistributionPanel {
   std::string name;  ///< of the axis, with its unit
   std::vector<DistributionCurve> curves;
-  double from = 0.0;  ///< where its axis starts
+  double from = 0.0;  ///< where its axis starts, unless a value lies below
 };
 
 /// Draws cumulative distributions, a panel beside the other. Throws InputError when the file cannot be written.
