@@ -3,7 +3,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include <regex>
+#include <iterator>
+#include <sstream>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_site.hpp"
@@ -108,13 +109,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"explain 40,-3 --scene world.sdf --sensor sensor.yaml",
                           "world.sdf: the place 40, -3 lies off it; it goes from -0.2, -0.2 to 8.2, 6.2"}));
 
-// The options of a command that take a value, and their types, as its help lists them.
+// The options of a command that take a value, and their types, as its help lists them: "  -o,--output TEXT REQUIRED   NAME: …".
 std::vector<std::pair<std::string, std::string>> options_with_values(const std::string& command) {
-  const std::string help = test::run_program({command, "--help"}, testing::TempDir()).out;
-  const std::regex line(R"(\n  (?:-\w,)?(--[\w-]+) ([A-Z]+))");
   std::vector<std::pair<std::string, std::string>> options;
-  for (std::sregex_iterator match(help.begin(), help.end(), line); match != std::sregex_iterator(); ++match) {
-    options.emplace_back((*match)[1], (*match)[2]);
+  std::istringstream help(test::run_program({command, "--help"}, testing::TempDir()).out);
+  for (std::string line; std::getline(help, line);) {
+    const std::vector<std::string> words = words_of(line);
+    if (words.size() < 2 || words[0][0] != '-' || words[0].find("--") == std::string::npos) continue;
+    const std::string type = words[1].substr(0, words[1].find_first_of(":=,[]"));
+    const bool is_type = type.size() > 2 && type.find_first_not_of("ABCDEFGHIJKLMNOPQRSTUVWXYZ") == std::string::npos;
+    if (is_type) options.emplace_back(words[0].substr(words[0].find("--")), type);
   }
   return options;
 }
