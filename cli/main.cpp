@@ -96,6 +96,7 @@ int main(int argc, char** argv) {
   add_map(app, work);
   add_plan(app, work);
   add_compare(app, work);
+  add_evaluate(app, work);
   refuse_what_is_no_number(app);
   try {
     app.parse(argc, argv);

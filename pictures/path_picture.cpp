@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "pictures/path_picture.hpp"
 
+#include <algorithm>
+#include <iterator>
+
 #include "core/range.hpp"
 #include "pictures/axes.hpp"
 #include "pictures/legend.hpp"
@@ -34,26 +37,34 @@ void draw_key(const Context& context, const MapLayout& layout, std::span<const D
   draw_key_label(context, layout, last, "blind: α below " + to_text(options.risk.alpha_critical) + unknown);
 }
 
+std::vector<DrawnPath> chosen(std::span<const DrawnPath> paths, bool (*wanted)(const DrawnPath&)) {
+  std::vector<DrawnPath> those;
+  std::ranges::copy_if(paths, std::back_inserter(those), wanted);
+  return those;
+}
+
 }  // namespace
 
 void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
                 const PathPictureOptions& options, const std::filesystem::path& png) {
-  const std::size_t key_lines = paths.empty() ? 0 : paths.size() + 1;
+  const std::vector<DrawnPath> keyed = chosen(paths, [](const DrawnPath& path) { return !path.label.empty(); });
+  const std::vector<DrawnPath> in_panel = chosen(keyed, [](const DrawnPath& path) { return !path.poses.empty(); });
+  const std::size_t key_lines = paths.empty() ? 0 : keyed.size() + 1;
   const MapLayout layout = lay_out(view_of(map, occupancy), options.title, key_lines);
   const Rectangle& frame = layout.view.frame;
-  const Rectangle panel{frame.left, layout.bottom + kPanelGap, frame.width, profile_height(paths.size())};
-  const double bottom = paths.empty() ? layout.bottom : panel.bottom() + kBelowFrame;
+  const Rectangle panel{frame.left, layout.bottom + kPanelGap, frame.width, profile_height(in_panel.size())};
+  const double bottom = in_panel.empty() ? layout.bottom : panel.bottom() + kBelowFrame;
   const Page page(layout.width, bottom + kMargin);
   const Context& context = page.context();
 
   draw_title(context, layout, options.title);
-  if (!paths.empty()) draw_key(context, layout, paths, options);
+  if (!paths.empty()) draw_key(context, layout, keyed, options);
   draw_map(context, layout.view, map, occupancy, Tone::pale);
   draw_path_layer(context, layout.view, paths, options);
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
   draw_map_legend(context, layout.legend, options.risk, Tone::pale);
-  if (!paths.empty()) draw_profiles(context, panel, paths, options.risk);
+  if (!in_panel.empty()) draw_profiles(context, panel, in_panel, options.risk);
   page.save(png);
 }
 

@@ -28,8 +28,8 @@ inline constexpr Colour kShortestColour = colour_from_hex(0x1c1c1c);
 inline constexpr Colour kRiskAwareColour = colour_from_hex(0x00875a);
 
 struct DrawnPath {
-  std::string label;         ///< as in the key: "shortest: 52.3 m, 31.0 m blind"
-  std::vector<Pose2> poses;  ///< in `map`, joined by straight segments
+  std::string label;         ///< as in the key: "shortest: 52.3 m, 31.0 m blind"; empty: in neither the key nor the panel of profiles
+  std::vector<Pose2> poses;  ///< in `map`, joined by straight segments; empty: in the key alone
   /// s ascending from 0 to the path's length, which stretches over the whole of `poses`; without it the path is drawn without its
   /// blind stretches.
   std::vector<ProfilePoint> profile;

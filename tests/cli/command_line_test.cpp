@@ -143,7 +143,8 @@ TEST_P(EveryOption, OfNumbersRefusesNanAndWordsAndAllRefuseToLackTheirValue) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Commands, EveryOption, testing::Values("occupancy", "scan", "score", "map", "plan", "compare", "explain"),
+INSTANTIATE_TEST_SUITE_P(Commands, EveryOption,
+                         testing::Values("occupancy", "scan", "score", "map", "plan", "compare", "explain", "evaluate"),
                          [](const auto& instance) { return instance.param; });
 
 }  // namespace

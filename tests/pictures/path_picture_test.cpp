@@ -108,6 +108,27 @@ TEST_F(PathPicture, WithoutPathsThereIsTheMapAlone) {
   EXPECT_GT(drawn(paths).height(), alone + 200);
 }
 
+TEST_F(PathPicture, APathWithoutALabelIsOnTheMapAlone) {
+  std::vector<DrawnPath> paths = {eastward(4.0, {{0.0, 0.5}, {9.0, 0.5}})};
+  const int height = drawn(paths).height();
+  paths.push_back(eastward(6.0, {{0.0, 0.5}, {9.0, 0.5}}));
+  paths.back().label.clear();
+  draw_paths(map_, occupancy_, paths, {}, folder_ / "unlabelled.png");
+  const Picture picture(folder_ / "unlabelled.png");
+  EXPECT_EQ(picture.height(), height);
+  EXPECT_LE(difference(picture.at(pixel(3.0, 6.0)), kRiskAwareColour), kRounding);
+}
+
+TEST_F(PathPicture, ALabelWithoutPosesIsInTheKeyAlone) {
+  std::vector<DrawnPath> paths = {eastward(4.0, {{0.0, 0.5}, {9.0, 0.5}}), eastward(6.0, {})};
+  const int with_both = drawn(paths).height();
+  paths[1].poses.clear();
+  const int with_label = drawn(paths).height();
+  paths.pop_back();
+  EXPECT_LT(with_label, with_both);
+  EXPECT_GT(with_label, drawn(paths).height());
+}
+
 TEST_F(PathPicture, APathBeyondTheMapIsCutOffAtItsFrame) {
   DrawnPath path = eastward(4.0, {{0.0, 0.0}, {1.0, 0.0}});
   path.poses = {{-1e9, 20.0, 0.0}, {1e9, 20.0, 0.0}};

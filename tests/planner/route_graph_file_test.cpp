@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <random>
 
 #include "planner/route_file.hpp"
 #include "tests/core/temporary_folder.hpp"
@@ -299,6 +300,47 @@ TEST_F(GraphFile, OfLifIsRefusedWhereItIsWrong) {
                            {"originId": "gate", "layouts": [{"nodes": [^)",
       "node 'A' has another origin than node 'P': what lies where is not known"};
   expect_faults(kNewerLif, {&elsewhere, 1});
+}
+
+// A text with a few bytes changed, left out, put in or cut off, at random.
+std::string damaged(std::string text, std::mt19937_64& engine) {
+  const auto below = [&](std::size_t end) { return std::uniform_int_distribution<std::size_t>(0, end - 1)(engine); };
+  constexpr std::string_view kBytes = "{}[],:\"0123456789-.eE null\n\\\xff";
+  for (std::size_t times = 1 + below(3); times > 0 && !text.empty(); --times) {
+    const std::size_t at = below(text.size());
+    const char byte = kBytes[below(kBytes.size())];
+    switch (below(4)) {
+      case 0:
+        text[at] = byte;
+        break;
+      case 1:
+        text.erase(at, 1 + below(20));
+        break;
+      case 2:
+        text.insert(at, 1 + below(3), byte);
+        break;
+      default:
+        if (below(10) == 0) text.resize(at);
+    }
+  }
+  return text;
+}
+
+TEST_F(GraphFile, DamagedAtRandomIsARouteOrAnInputError) {
+  std::mt19937_64 engine(23);
+  int refused = 0;
+  for (const std::string good : {kNav2, kLif, kNewerLif}) {
+    for (int i = 0; i < 700; ++i) {
+      const std::string text = damaged(good, engine);
+      try {
+        EXPECT_FALSE(read(text).graph.edges.empty());
+      } catch (const InputError& error) {
+        ++refused;
+        EXPECT_THAT(error.what(), testing::StartsWith((folder / "graph.json").string() + ':')) << text;
+      }
+    }
+  }
+  EXPECT_GT(refused, 1000);
 }
 
 }  // namespace
