@@ -62,6 +62,15 @@ ob::PlannerPtr make_batched(const PlannerChoice& choice, const ob::SpaceInformat
   return std::make_shared<Planner>(si, choice.name == "abitstar" ? "kABITstar" : "kBITstar");
 }
 
+// OMPL 1.5.2's lazy road maps free their states when cleared, not when destroyed.
+template <typename Planner>
+ob::PlannerPtr make_cleared_at_end(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
+  return {new Planner(si), [](Planner* planner) {
+            planner->clear();
+            delete planner;
+          }};
+}
+
 ob::PlannerPtr make_cforest(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
   auto planner = std::make_shared<og::CForest>(si);
   planner->setFocusSearch(false);  // it prunes
@@ -80,8 +89,8 @@ constexpr Offer kOffers[] = {
     {"cforest", make_cforest},
     {"prm", make<og::PRM>},
     {"prmstar", make<og::PRMstar>},
-    {"lazyprm", make<og::LazyPRM>},
-    {"lazyprmstar", make<og::LazyPRMstar>},
+    {"lazyprm", make_cleared_at_end<og::LazyPRM>},
+    {"lazyprmstar", make_cleared_at_end<og::LazyPRMstar>},
     {"fmtstar", make_with_samples<og::FMT>},
     {"bfmtstar", make_with_samples<og::BFMT>},
     {"bitstar", make_batched<og::BITstar>},

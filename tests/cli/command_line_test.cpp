@@ -109,10 +109,16 @@ INSTANTIATE_TEST_SUITE_P(
                     Fault{"explain 40,-3 --scene world.sdf --sensor sensor.yaml",
                           "world.sdf: the place 40, -3 lies off it; it goes from -0.2, -0.2 to 8.2, 6.2"}));
 
+// Each run in a folder of its own: ctest runs these tests side by side.
+test::Outcome run(const std::vector<std::string>& arguments) {
+  const test::TemporaryFolder folder;
+  return test::run_program(arguments, folder / "");
+}
+
 // The options of a command that take a value, and their types, as its help lists them: "  -o,--output TEXT REQUIRED   NAME: …".
 std::vector<std::pair<std::string, std::string>> options_with_values(const std::string& command) {
   std::vector<std::pair<std::string, std::string>> options;
-  std::istringstream help(test::run_program({command, "--help"}, testing::TempDir()).out);
+  std::istringstream help(run({command, "--help"}).out);
   for (std::string line; std::getline(help, line);) {
     const std::vector<std::string> words = words_of(line);
     if (words.size() < 2 || words[0][0] != '-' || words[0].find("--") == std::string::npos) continue;
@@ -129,7 +135,7 @@ TEST_P(EveryOption, OfNumbersRefusesNanAndWordsAndAllRefuseToLackTheirValue) {
   const auto options = options_with_values(GetParam());
   ASSERT_FALSE(options.empty());
   const auto fault = [&](const std::vector<std::string>& arguments) {
-    const test::Outcome outcome = test::run_program(arguments, testing::TempDir());
+    const test::Outcome outcome = run(arguments);
     EXPECT_EQ(outcome.exit_code, 2) << arguments[1];
     return outcome.err;
   };
