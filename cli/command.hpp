@@ -4,10 +4,9 @@
 #include <CLI/CLI.hpp>
 #include <functional>
 
-namespace alignability::cli {
+#include "cli/exit_code.hpp"
 
-/// What the program says when it ends.
-enum ExitCode { kYes = 0, kNo = 1, kBadInput = 2, kInterrupted = 130 };
+namespace alignability::cli {
 
 /// The work of the command that was asked for; set by its callback, run by main.
 using Work = std::function<int()>;

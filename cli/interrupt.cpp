@@ -5,7 +5,7 @@
 
 #include <ctime>
 
-#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
 
 namespace alignability::cli {
 

@@ -5,7 +5,7 @@
 #include <cstdio>
 #include <iostream>
 
-#include "cli/command.hpp"
+#include "cli/exit_code.hpp"
 #include "core/file.hpp"
 #include "core/range.hpp"
 #include "planner/path_figures.hpp"

@@ -10,6 +10,7 @@
 #include "planner/plan.hpp"
 #include "planner/refused_planners.hpp"
 #include "tests/planner/collision_oracle.hpp"
+#include "tests/planner/patience.hpp"
 #include "tests/planner/two_corridors.hpp"
 
 namespace alignability {
@@ -45,7 +46,7 @@ class EveryPlanner : public testing::TestWithParam<Case> {
     problem.query.planner.name = GetParam().planner;
     problem.query.motion.space = GetParam().space;
     problem.query.weight = weight;
-    problem.query.planner.time = weight > 0.0 ? 3.0 : 1.5;
+    problem.query.planner.time = (weight > 0.0 ? 0.6 : 0.3) * test::kPatience;
     // These have no answer before their last sample, however long a sanitizer makes that take.
     if (counts_its_own_iterations(GetParam().planner)) problem.query.planner.iterations = 2000;
     return problem;
@@ -114,7 +115,7 @@ TEST(Planners, RepeatBySeedUnderIterations) {
   for (const char* name : {"rrtstar", "rrtsharp", "rrtxstatic", "lazyprm", "lazyprmstar", "fmtstar", "bfmtstar", "bitstar", "abitstar"}) {
     SCOPED_TRACE(name);
     PlanProblem problem = test::two_corridors();
-    problem.query.planner = {.name = name, .time = 1.0, .iterations = 1500, .seed = 7};
+    problem.query.planner = {.name = name, .time = 1.0, .iterations = 500, .seed = 7};
     const PlanResult first = plan(problem, {});
     const PlanResult second = plan(problem, {});
     ASSERT_EQ(first.status, PlanStatus::solved);

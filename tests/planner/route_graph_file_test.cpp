@@ -151,10 +151,12 @@ TEST_F(GraphFile, NamesOfManyEdgesAFew) {
     {"properties": {"id": 0}, "geometry": {"type": "Point", "coordinates": [0, 0]}},
     {"properties": {"id": 1}, "geometry": {"type": "Point", "coordinates": [1, 0]}})";
   for (int id = 10; id < 15; ++id) {
-    text += R"(, {"properties": {"id": )" + std::to_string(id) +
-            R"(, "startid": 0, "endid": 1}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [0, 1]]}})";
+    text += R"(, {"properties": {"startid": 0, "endid": 1, "id": )";
+    text += std::to_string(id);
+    text += R"(}, "geometry": {"type": "LineString", "coordinates": [[0, 0], [0, 1]]}})";
   }
-  EXPECT_THAT(read(text + "]}").remarks, testing::ElementsAre(testing::StartsWith("edges '10', '11', '12' and 2 others: drawn otherwise")));
+  text += "]}";
+  EXPECT_THAT(read(text).remarks, testing::ElementsAre(testing::StartsWith("edges '10', '11', '12' and 2 others: drawn otherwise")));
 }
 
 TEST_F(GraphFile, OfNav2IsRefusedWhereItIsWrong) {

@@ -7,6 +7,7 @@
 
 #include "core/progress.hpp"
 #include "planner/random_pairs.hpp"
+#include "tests/costmap/segment_oracle.hpp"
 #include "tests/planner/collision_oracle.hpp"
 #include "tests/planner/two_corridors.hpp"
 
