@@ -2,7 +2,9 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <memory>
 #include <string>
+#include <string_view>
 
 #include "alignability/plane_segmentation.hpp"
 #include "lidar/scan.hpp"
@@ -42,8 +44,28 @@ struct ScoredScan {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< of the eigenvalues, by column; the last is the weakest direction
 };
 
-/// Safe to call from many threads. Never throws for the content of a scan: one without planes scores 0.
+/// Scores scan after scan without asking for memory anew. One a thread; what it has scored before changes nothing.
+/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride below 1, or one with PCL.
+class Scorer {
+ public:
+  explicit Scorer(const AlignabilityOptions& options);
+  Scorer(Scorer&&) noexcept;
+  Scorer& operator=(Scorer&&) noexcept;
+  ~Scorer();
+
+  Alignability alignability(const Scan& scan);
+  ScoredScan score(const Scan& scan);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// One scan. Safe to call from many threads.
 ScoredScan score(const Scan& scan, const AlignabilityOptions& options);
+
+/// "native" or "pcl".
+std::string_view to_string(Engine engine);
 
 /// The options as YAML text, defaults written out.
 std::string to_yaml(const AlignabilityOptions& options);

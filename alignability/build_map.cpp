@@ -2,6 +2,7 @@
 #include "alignability/build_map.hpp"
 
 #include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
@@ -66,14 +67,14 @@ class CellEvaluator {
  public:
   CellEvaluator(const Scene& scene, const LidarModel& lidar, const MapOptions& options) : scene_(scene), lidar_(lidar), options_(options) {}
 
-  CellValue operator()(const FreePart& free, std::size_t cell) const {
+  CellValue operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const {
     std::vector<Alignability> scores;
     for (int sample = 0; sample < options_.samples; ++sample) {
       if (options_.stop.stop_requested()) throw Interrupted();
       if (const auto pose = sensor_pose(free, cell, sample)) {
         const NoiseKey noise{options_.seed, cell, static_cast<std::uint64_t>(sample)};
         const Scan scan = simulate_scan(scene_, lidar_, *pose, {.range_max = options_.range_max}, noise);
-        scores.push_back(score(scan, options_.alignability).alignability);
+        scores.push_back(scorer.alignability(scan));
       }
     }
     return summary(std::move(scores), lidar_.T_base_lidar.linear());
@@ -156,9 +157,11 @@ std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluato
     tbb::task_group_context context(tbb::task_group_context::isolated,
                                     tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
     context.capture_fp_settings();
+    tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
     const auto evaluate_range = [&](const tbb::blocked_range<std::size_t>& range) {
+      Scorer& scorer = scorers.local();
       for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        values[i] = evaluator(jobs[i].free, jobs[i].cell);
+        values[i] = evaluator(jobs[i].free, jobs[i].cell, scorer);
         reporter.advance();
       }
     };

@@ -13,7 +13,7 @@
 namespace alignability {
 namespace {
 
-using Members = std::vector<std::size_t>;
+using Members = std::vector<std::int32_t>;
 
 const double kUpright = std::cos(radians(30.0));
 constexpr double kOffPlane = 0.05;   // [m]
@@ -37,8 +37,9 @@ Eigen::Matrix3d with_largest_positive(Eigen::Matrix3d axes) {
 
 std::vector<Eigen::Vector3d> normals_of(const ScoredScan& scored, const Members& members) {
   std::vector<Eigen::Vector3d> normals;
-  for (const std::size_t i : members) {
-    if (scored.normals[i].allFinite()) normals.push_back(scored.normals[i].cast<double>());
+  for (const std::int32_t i : members) {
+    const Eigen::Vector3f& normal = scored.normals[static_cast<std::size_t>(i)];
+    if (normal.allFinite()) normals.push_back(normal.cast<double>());
   }
   return normals;
 }
@@ -155,7 +156,7 @@ Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_lidar, double
   double normals = 0.0;
   for (std::size_t plane = 0; plane < parts.size(); ++plane) {
     normals += parts[plane].count();
-    for (const std::size_t i : parts[plane].members) explanation.plane_of_point[i] = static_cast<int>(plane);
+    for (const std::int32_t i : parts[plane].members) explanation.plane_of_point[static_cast<std::size_t>(i)] = static_cast<int>(plane);
   }
   const Sums sums = sums_along(scored.alignability.weakest_direction, parts, options.moment);
   const double total = sums.total();

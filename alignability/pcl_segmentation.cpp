@@ -7,9 +7,9 @@
 
 #include <limits>
 
-#include "alignability/plane_segmentation.hpp"
+#include "alignability/segmentation_engines.hpp"
 
-namespace alignability {
+namespace alignability::detail {
 namespace {
 
 using Cloud = pcl::PointCloud<pcl::PointXYZ>;
@@ -19,16 +19,16 @@ using Tree = pcl::search::KdTree<pcl::PointXYZ>;
 // The points that count, and where in the scan each was.
 struct Kept {
   Cloud::Ptr cloud{new Cloud};
-  std::vector<std::size_t> index;
+  std::vector<std::int32_t> index;
 };
 
 Kept keep(const Scan& scan, double range_min) {
   Kept kept;
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     const Eigen::Vector3f& point = scan.points[i];
-    if (!point.allFinite() || point.cast<double>().norm() < range_min) continue;
+    if (!counts(point, range_min)) continue;
     kept.cloud->push_back({point.x(), point.y(), point.z()});
-    kept.index.push_back(i);
+    kept.index.push_back(static_cast<std::int32_t>(i));
   }
   return kept;
 }
@@ -65,18 +65,18 @@ Segmentation segment_with_pcl(const Scan& scan, const SegmentationOptions& optio
   const Kept kept = keep(scan, options.range_min);
   Segmentation result;
   result.normals.assign(scan.points.size(), Eigen::Vector3f::Constant(nan));
-  result.segment_of_point.assign(scan.points.size(), -1);
   result.points = kept.index.size();
   if (kept.cloud->size() < static_cast<std::size_t>(std::max(options.min_points, 3))) return result;
 
   const Tree::Ptr tree(new Tree);
   const Normals::Ptr normals = estimate_normals(kept.cloud, tree, options.normal_neighbours);
-  for (std::size_t i = 0; i < kept.index.size(); ++i) result.normals[kept.index[i]] = (*normals)[i].getNormalVector3fMap();
+  for (std::size_t i = 0; i < kept.index.size(); ++i)
+    result.normals[static_cast<std::size_t>(kept.index[i])] = (*normals)[i].getNormalVector3fMap();
   for (const pcl::PointIndices& cluster : grow(kept.cloud, normals, tree, options)) {
-    for (const auto member : cluster.indices) result.segment_of_point[kept.index[static_cast<std::size_t>(member)]] = result.segments;
-    ++result.segments;
+    for (const auto member : cluster.indices) result.members.push_back(kept.index[static_cast<std::size_t>(member)]);
+    result.ends.push_back(result.members.size());
   }
   return result;
 }
 
-}  // namespace alignability
+}  // namespace alignability::detail

@@ -2,12 +2,20 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "core/pose.hpp"
 #include "lidar/scan.hpp"
 
 namespace alignability {
+
+/// Who segments. Both search the same neighbours and grow the same segments; docs/design.md says how far the results differ.
+enum class Engine {
+  native,  ///< our own, an order of magnitude faster
+  pcl,     ///< NormalEstimation and RegionGrowing of the Point Cloud Library, the reference
+};
 
 /// How a scan is cut into smooth segments: normals, then region growing (Rabbani et al. 2006), with the numbers of Nobili et al. where
 /// the paper gives none.
@@ -18,16 +26,24 @@ struct SegmentationOptions {
   double smoothness = radians(3);  ///< [rad] largest angle between the normals of a point and its neighbour
   double curvature = 1.0;          ///< a point above it grows no further
   int min_points = 50;             ///< a smaller segment is none
+  /// Normals and votes of every n-th column alone, or, of a scan without order, of every n-th point in space; neighbours among all points.
+  /// Segments then grow over those of the `normal_neighbours` that vote. `min_points` still counts the points of all columns. >= 1
+  int stride = 1;
+  Engine engine = Engine::native;
 };
 
 struct Segmentation {
-  std::vector<Eigen::Vector3f> normals;  ///< unit, turned to the sensor; NaN for a point that was dropped
-  std::vector<int> segment_of_point;     ///< counted from 0; -1 = none
-  int segments = 0;
-  std::size_t points = 0;  ///< those that were not dropped
-};
+  std::vector<Eigen::Vector3f>
+      normals;  ///< of each point of the scan: unit, turned to the sensor; NaN for a point that was dropped or passed over
+  std::vector<std::int32_t> members;  ///< places in the scan, segment after segment
+  std::vector<std::size_t> ends;      ///< of each segment in `members`
+  std::size_t points = 0;             ///< those that were not dropped
 
-/// By PCL's NormalEstimation and RegionGrowing: the reference for faster engines. NaN and near returns are dropped first.
-Segmentation segment_with_pcl(const Scan& scan, const SegmentationOptions& options);
+  std::size_t segments() const { return ends.size(); }
+  std::span<const std::int32_t> segment(std::size_t i) const {
+    const std::size_t begin = i == 0 ? 0 : ends[i - 1];
+    return std::span(members).subspan(begin, ends[i] - begin);
+  }
+};
 
 }  // namespace alignability

@@ -7,22 +7,22 @@
 
 namespace alignability::detail {
 
-std::vector<std::vector<std::size_t>> members_of(const std::vector<int>& segment_of_point, int segments) {
-  std::vector<std::vector<std::size_t>> members(static_cast<std::size_t>(segments));
+std::vector<std::vector<std::int32_t>> members_of(const std::vector<int>& segment_of_point, int segments) {
+  std::vector<std::vector<std::int32_t>> members(static_cast<std::size_t>(segments));
   for (std::size_t i = 0; i < segment_of_point.size(); ++i) {
-    if (segment_of_point[i] >= 0) members[static_cast<std::size_t>(segment_of_point[i])].push_back(i);
+    if (segment_of_point[i] >= 0) members[static_cast<std::size_t>(segment_of_point[i])].push_back(static_cast<std::int32_t>(i));
   }
   return members;
 }
 
-SegmentShape shape_of(const Scan& scan, const std::vector<std::size_t>& members) {
+SegmentShape shape_of(const Scan& scan, std::span<const std::int32_t> members) {
   SegmentShape shape;
   shape.center.setZero();
-  for (const std::size_t i : members) shape.center += scan.points[i].cast<double>();
+  for (const std::int32_t i : members) shape.center += scan.points[static_cast<std::size_t>(i)].cast<double>();
   shape.center /= static_cast<double>(members.size());
   Eigen::Matrix3d covariance = Eigen::Matrix3d::Zero();
-  for (const std::size_t i : members) {
-    const Eigen::Vector3d from_center = scan.points[i].cast<double>() - shape.center;
+  for (const std::int32_t i : members) {
+    const Eigen::Vector3d from_center = scan.points[static_cast<std::size_t>(i)].cast<double>() - shape.center;
     covariance += from_center * from_center.transpose();
   }
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(covariance / static_cast<double>(members.size()));
@@ -30,8 +30,9 @@ SegmentShape shape_of(const Scan& scan, const std::vector<std::size_t>& members)
   shape.eigenvalues = solver.eigenvalues();
   Eigen::Array3d low = Eigen::Array3d::Constant(std::numeric_limits<double>::infinity());
   Eigen::Array3d high = -low;
-  for (const std::size_t i : members) {
-    const Eigen::Array3d along = (shape.axes.transpose() * (scan.points[i].cast<double>() - shape.center)).array();
+  for (const std::int32_t i : members) {
+    const Eigen::Array3d along =
+        (shape.axes.transpose() * (scan.points[static_cast<std::size_t>(i)].cast<double>() - shape.center)).array();
     low = low.min(along);
     high = high.max(along);
   }

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstdint>
+#include <span>
 #include <vector>
 
 #include "lidar/scan.hpp"
@@ -9,7 +11,7 @@
 namespace alignability::detail {
 
 /// The points of each segment by their place in the scan; `segment_of_point` counts from 0, -1 = none.
-std::vector<std::vector<std::size_t>> members_of(const std::vector<int>& segment_of_point, int segments);
+std::vector<std::vector<std::int32_t>> members_of(const std::vector<int>& segment_of_point, int segments);
 
 /// The principal axes of a segment's points, the narrowest first, and how the points spread along them [m].
 struct SegmentShape {
@@ -24,6 +26,6 @@ struct SegmentShape {
   double area() const;
 };
 
-SegmentShape shape_of(const Scan& scan, const std::vector<std::size_t>& members);
+SegmentShape shape_of(const Scan& scan, std::span<const std::int32_t> members);
 
 }  // namespace alignability::detail

@@ -9,6 +9,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/scoring_options.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/range.hpp"
@@ -34,7 +35,7 @@ struct Options {
   std::optional<double> range_max;
   double floor = 0.0;
   std::uint64_t seed = 1;
-  bool centred = false;
+  AlignabilityOptions scoring;
   bool json = false;
   std::optional<std::filesystem::path> output;
 
@@ -224,9 +225,8 @@ int run(Options options) {
   const Eigen::Isometry3d T_map_lidar = T_map_base * lidar.T_base_lidar;
   check_place(options, scene, T_map_lidar);
 
-  AlignabilityOptions scoring;
+  AlignabilityOptions scoring = options.scoring;
   scoring.segmentation.range_min = lidar.range_min;
-  if (options.centred) scoring.moment = Moment::about_mean;
   const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = options.range_max}, NoiseKey{.seed = options.seed});
   const Explanation explanation = explain(scan, T_map_lidar.linear(), lidar.range_stddev, scoring);
 
@@ -260,7 +260,7 @@ void add_explain(CLI::App& app, Work& work) {
   command->add_option("--alignability", options->alignability, "Alignability map, whose value is told beside");
   command->add_option("--floor", options->floor, "Height of base_link in map [m]")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the range noise")->capture_default_str();
-  command->add_flag("--centred", options->centred, "Subtract the normals' mean (the textbook PCA)");
+  add_scoring_options(*command, options->scoring);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json and NAME.png, the scan from above");
   add_world_options(*command, options->reading);

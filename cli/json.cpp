@@ -52,7 +52,7 @@ Json options_json(const PlanQuery& query) {
 
 }  // namespace
 
-Json score_json(const std::filesystem::path& file, const Alignability& score, double seconds) {
+Json score_json(const std::filesystem::path& file, const Alignability& score, Engine engine, double seconds) {
   const bool has_planes = score.planes_kept > 0;
   return {{"file", file.string()},
           {"points", score.points},
@@ -61,7 +61,7 @@ Json score_json(const std::filesystem::path& file, const Alignability& score, do
           {"weakest_direction", has_planes ? vector(score.weakest_direction) : Json(nullptr)},
           {"planes_found", score.planes_found},
           {"planes_kept", score.planes_kept},
-          {"engine", "pcl"},
+          {"engine", to_string(engine)},
           {"seconds", seconds}};
 }
 

@@ -11,6 +11,7 @@
 #include "cli/output_name.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
+#include "cli/scoring_options.hpp"
 #include "costmap/map_server.hpp"
 #include "pictures/alignability_picture.hpp"
 
@@ -23,7 +24,6 @@ struct Options {
   std::filesystem::path occupancy;
   std::filesystem::path sensor;
   MapOptions map;
-  bool centred = false;
   bool json = false;
   std::filesystem::path output;
 };
@@ -52,7 +52,6 @@ int run(Options options) {
   const LidarModel lidar = read_lidar_model(options.sensor);
   const OccupancyMap occupancy = read_occupancy_map(options.occupancy);
   const Scene scene(read_meshes(options.scene, options.reading));
-  if (options.centred) options.map.alignability.moment = Moment::about_mean;
   options.map.alignability.segmentation.range_min = lidar.range_min;
   options.map.stop = interrupt.token();
   AlignabilityMap map;
@@ -89,8 +88,7 @@ void add_map(CLI::App& app, Work& work) {
   command->add_option("--floor", options->map.floor, "Height of base_link in map [m]")->capture_default_str();
   command->add_option("--seed", options->map.seed, "Seed of places and range noise")->capture_default_str();
   command->add_option("--threads", options->map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
-  command->add_option("--engine", "The engine that scores")->check(CLI::IsMember({"pcl"}))->default_str("pcl");
-  command->add_flag("--centred", options->centred, "Subtract the normals' mean (the textbook PCA)");
+  add_scoring_options(*command, options->map.alignability);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml, NAME.tiff and NAME.png")->required();
   add_world_options(*command, options->reading);

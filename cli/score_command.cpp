@@ -6,6 +6,7 @@
 #include "alignability/alignability.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
+#include "cli/scoring_options.hpp"
 #include "core/input_error.hpp"
 #include "core/range.hpp"
 #include "lidar/lidar_model.hpp"
@@ -20,7 +21,6 @@ struct Options {
   std::optional<std::filesystem::path> sensor;
   std::optional<std::filesystem::path> picture;
   AlignabilityOptions alignability;
-  bool centred = false;
   bool json = false;
 };
 
@@ -46,17 +46,17 @@ void print_header() {
 
 int run(Options options) {
   if (options.picture && options.scans.size() > 1) throw std::invalid_argument("--picture draws one scan; give one");
-  if (options.centred) options.alignability.moment = Moment::about_mean;
   if (options.sensor) options.alignability.segmentation.range_min = read_lidar_model(*options.sensor).range_min;
+  Scorer scorer(options.alignability);
   std::vector<Json> objects;
   for (const std::filesystem::path& file : options.scans) {
     const Scan scan = read_scan_file(file);
     const auto begin = std::chrono::steady_clock::now();
-    const ScoredScan scored = score(scan, options.alignability);
+    const ScoredScan scored = scorer.score(scan);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (options.picture) draw(scan, scored, file, *options.picture);
     if (options.json) {
-      objects.push_back(score_json(file, scored.alignability, seconds));
+      objects.push_back(score_json(file, scored.alignability, options.alignability.segmentation.engine, seconds));
     } else {
       if (&file == &options.scans.front()) print_header();
       print_row(file, scored.alignability, seconds);
@@ -73,8 +73,7 @@ void add_score(CLI::App& app, Work& work) {
   CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
   command->add_option("scans", options->scans, "PCD or PLY files")->required();
   command->add_option("--sensor", options->sensor, "Sensor file, for its minimum range (0.5 m without)");
-  command->add_option("--engine", "The engine that scores")->check(CLI::IsMember({"pcl"}))->default_str("pcl");
-  command->add_flag("--centred", options->centred, "Subtract the normals' mean (the textbook PCA)");
+  add_scoring_options(*command, options->alignability);
   command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a PNG");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(

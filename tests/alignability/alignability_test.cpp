@@ -161,7 +161,8 @@ TEST(Alignability, NamesThePlaneOfEachPoint) {
 
 TEST(Alignability, OptionsAreWrittenOutWhole) {
   EXPECT_EQ(to_yaml(AlignabilityOptions{}),
-            "engine: pcl\nmin_range: 0.5\nnormal_neighbours: 30\ngrowing_neighbours: 15\nsmoothness_deg: 3\ncurvature: 1\nmin_points: 50\n"
+            "engine: native\nmin_range: 0.5\nnormal_neighbours: 30\ngrowing_neighbours: 15\nsmoothness_deg: 3\ncurvature: 1\nmin_points: "
+            "50\nstride: 1\n"
             "plane_threshold: 0.05\nmin_area: 0.01\ncentred: false\n");
 }
 

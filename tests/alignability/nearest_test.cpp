@@ -1,0 +1,147 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "alignability/nearest.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <random>
+
+#include "alignability/nearest_kernel.hpp"
+#include "alignability/point_blocks.hpp"
+#include "tests/alignability/simulated.hpp"
+
+namespace alignability::detail {
+namespace {
+
+constexpr int kLanes = PointBlocks::kBlock;
+
+Eigen::Vector3f point_of(const PointBlocks& blocks, std::int32_t slot) {
+  const float* place = blocks.coordinates().data() + PointBlocks::place(slot);
+  return {place[0], place[kLanes], place[2 * kLanes]};
+}
+
+// Sorts all, with none of the search's code.
+std::vector<std::int32_t> nearest_of_all(const PointBlocks& blocks, std::int32_t slot, int count) {
+  std::vector<std::pair<float, std::int32_t>> all;
+  for (std::int32_t other = 0; other < kLanes * blocks.blocks(); ++other) {
+    const Eigen::Vector3f apart = point_of(blocks, other) - point_of(blocks, slot);
+    all.emplace_back(apart.x() * apart.x() + apart.y() * apart.y() + apart.z() * apart.z(), other);
+  }
+  std::ranges::partial_sort(all, all.begin() + count);
+  std::vector<std::int32_t> nearest;
+  for (int i = 0; i < count; ++i) nearest.push_back(all[static_cast<std::size_t>(i)].second);
+  return nearest;
+}
+
+void expect_exact(const Scan& scan, int count) {
+  PointBlocks blocks;
+  blocks.assign(scan, 0.5);
+  NearestPoints nearest;
+  nearest.assign(blocks);
+  const int step = std::max(1, kLanes * blocks.blocks() / 400);
+  for (std::int32_t slot = 0; slot < kLanes * blocks.blocks(); slot += step) {
+    if (blocks.scan_index()[static_cast<std::size_t>(slot)] < 0) continue;
+    const auto found = nearest.search(slot, count);
+    ASSERT_EQ(std::vector<std::int32_t>(found.begin(), found.end()), nearest_of_all(blocks, slot, count)) << "of slot " << slot;
+  }
+}
+
+Scan unorganized(std::vector<Eigen::Vector3f> points) {
+  const int columns = static_cast<int>(points.size());
+  return {.points = std::move(points), .rings = 1, .columns = columns};
+}
+
+TEST(NearestPoints, AreExactInAScanByRings) { expect_exact(test::scan_of(test::plain_corridor(), NoiseKey{.seed = 1}), 30); }
+
+TEST(NearestPoints, AreExactInAScanWithoutOrder) {
+  Scan scan = test::scan_of(test::plain_corridor(), NoiseKey{.seed = 1});
+  std::mt19937_64 engine(2);
+  std::shuffle(scan.points.begin(), scan.points.end(), engine);
+  expect_exact(unorganized(scan.points), 30);
+}
+
+TEST(NearestPoints, AreExactWhereDensityVariesAThousandfold) {
+  std::mt19937_64 engine(3);
+  std::normal_distribution<float> normal;
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i < 3000; ++i) {
+    const float spread = std::pow(10.0f, static_cast<float>(i % 4) - 2.0f);
+    points.emplace_back(5.0f + spread * normal(engine), spread * normal(engine), spread * normal(engine));
+  }
+  expect_exact(unorganized(points), 17);
+}
+
+TEST(NearestPoints, OfEquallyFarOnesAreTheFirstInTheList) {
+  std::vector<Eigen::Vector3f> lattice;
+  for (int i = 0; i < 1000; ++i) lattice.emplace_back(3.0f + i % 10, i / 10 % 10, i / 100);
+  expect_exact(unorganized(lattice), 30);
+  expect_exact({.points = lattice, .rings = 10, .columns = 100}, 30);
+}
+
+TEST(NearestPoints, MayBeAllOneAndAllThereAre) {
+  expect_exact(unorganized(std::vector<Eigen::Vector3f>(100, {1.0f, 2.0f, 3.0f})), 30);
+  expect_exact(unorganized({{1.0f, 0.0f, 0.0f}, {1e6f, 0.0f, 0.0f}, {0.0f, 1e12f, 0.0f}}), 3);
+}
+
+TEST(PointBlocks, HoldEveryPointThatCountsOnceInABoxAroundIt) {
+  constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+  for (const bool organized : {true, false}) {
+    Scan scan = test::scan_of(test::plain_corridor());
+    scan.points[7] = {kNan, 1.0f, 1.0f};
+    scan.points[8] = {0.1f, 0.1f, 0.1f};
+    scan.points[9] = {1e30f, 0.0f, 0.0f};
+    if (!organized) scan = unorganized(scan.points);
+    PointBlocks blocks;
+    blocks.assign(scan, 0.5);
+    std::vector<int> times(scan.points.size(), 0);
+    for (std::size_t slot = 0; slot < blocks.scan_index().size(); ++slot) {
+      const std::int32_t i = blocks.scan_index()[slot];
+      if (i < 0) continue;
+      ++times[static_cast<std::size_t>(i)];
+      ASSERT_EQ(point_of(blocks, static_cast<std::int32_t>(slot)), scan.points[static_cast<std::size_t>(i)]);
+      std::size_t node = slot / kLanes;
+      for (const Boxes& level : blocks.levels()) {
+        for (std::size_t axis = 0; axis < 3; ++axis) {
+          const float value = scan.points[static_cast<std::size_t>(i)][static_cast<Eigen::Index>(axis)];
+          ASSERT_LE(level.low[axis][node], value);
+          ASSERT_GE(level.high[axis][node], value);
+        }
+        node /= PointBlocks::kChildren;
+      }
+    }
+    std::size_t points = 0;
+    for (std::size_t i = 0; i < scan.points.size(); ++i) {
+      const bool counts = scan.points[i].norm() >= 0.5f && scan.points[i].norm() < 1e15f;
+      ASSERT_EQ(times[i], counts ? 1 : 0) << i;
+      points += counts ? 1 : 0;
+    }
+    EXPECT_EQ(blocks.points(), points);
+  }
+}
+
+TEST(NearestKernel, GivesTheSameOnEveryProcessor) {
+  std::mt19937_64 engine(4);
+  std::uniform_real_distribution<float> uniform(-1.0f, 1.0f);
+  std::vector<float> coordinates(std::size_t{3} * kLanes * 40);
+  for (float& value : coordinates) value = uniform(engine);
+  std::vector<std::int32_t> blocks(40);
+  for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = static_cast<std::int32_t>(i);
+  const auto run = [&](const NearestKernel& kernel) {
+    std::vector<std::int32_t> slots(kLanes * 41);
+    std::vector<float> distances2(slots.size());
+    const float point[] = {0.1f, 0.2f, -0.3f};
+    const int found = kernel.near_slots(coordinates.data(), blocks.data(), 40, point, 0.7f, slots.data(), distances2.data());
+    slots.resize(static_cast<std::size_t>(found));
+    distances2.resize(static_cast<std::size_t>(found / kLanes * kLanes));
+    std::vector<std::int32_t> ranks(distances2.size());
+    kernel.rank(distances2.data(), static_cast<int>(distances2.size()), ranks.data());
+    return std::tuple(slots, distances2, ranks);
+  };
+  const auto portable = run(portable_nearest_kernel());
+  EXPECT_GT(std::get<0>(portable).size(), 20u);
+  EXPECT_EQ(run(nearest_kernel()), portable);
+}
+
+}  // namespace
+}  // namespace alignability::detail
