@@ -7,111 +7,32 @@
 #include <tbb/task_arena.h>
 #include <tbb/task_group.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <limits>
 #include <mutex>
-#include <random>
 #include <sstream>
 
+#include "alignability/cell_evaluator.hpp"
+#include "alignability/checkpoint.hpp"
 #include "core/range.hpp"
-#include "lidar/simulate_scan.hpp"
 
 namespace alignability {
 namespace {
 
-constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
-constexpr int kMostDraws = 20;
+using detail::CellEvaluator;
+using detail::CellValue;
 
-// The quantile of sorted values, linear between neighbours; q = 0.5 is the median.
-double quantile(const std::vector<double>& sorted, double q) {
-  const double at = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
-
-struct CellValue {
-  float alpha = kNan;
-  float samples = kNan;
-  float iqr = kNan;
-  Eigen::Vector3f weakest = Eigen::Vector3f::Constant(kNan);
-};
-
-CellValue summary(std::vector<Alignability> scores, const Eigen::Matrix3d& R_map_lidar) {
-  CellValue value;
-  value.samples = static_cast<float>(scores.size());
-  if (scores.empty()) return value;
-  std::vector<double> alphas;
-  Eigen::Matrix3d directions = Eigen::Matrix3d::Zero();
-  for (const Alignability& score : scores) {
-    alphas.push_back(score.alpha);
-    const Eigen::Vector3d weakest = R_map_lidar * score.weakest_direction;
-    directions += weakest * weakest.transpose();
-  }
-  std::ranges::sort(alphas);
-  value.alpha = static_cast<float>(quantile(alphas, 0.5));
-  value.iqr = static_cast<float>(quantile(alphas, 0.75) - quantile(alphas, 0.25));
-  if (directions.trace() > 0.0) {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(directions);
-    value.weakest = solver.eigenvectors().col(2).cast<float>();
-    Eigen::Index largest = 0;
-    value.weakest.cwiseAbs().maxCoeff(&largest);
-    if (value.weakest[largest] < 0.0f) value.weakest = -value.weakest;
-  }
-  return value;
-}
-
-// Evaluates one cell after the other; each is independent of the rest.
-class CellEvaluator {
+// Writes down what is done, and tells of it; one call at a time.
+class Ledger {
  public:
-  CellEvaluator(const Scene& scene, const LidarModel& lidar, const MapOptions& options) : scene_(scene), lidar_(lidar), options_(options) {}
-
-  CellValue operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const {
-    std::vector<Alignability> scores;
-    for (int sample = 0; sample < options_.samples; ++sample) {
-      if (options_.stop.stop_requested()) throw Interrupted();
-      if (const auto pose = sensor_pose(free, cell, sample)) {
-        const NoiseKey noise{options_.seed, cell, static_cast<std::uint64_t>(sample)};
-        const Scan scan = simulate_scan(scene_, lidar_, *pose, {.range_max = options_.range_max}, noise);
-        scores.push_back(scorer.alignability(scan));
-      }
-    }
-    return summary(std::move(scores), lidar_.T_base_lidar.linear());
+  Ledger(const ProgressCallback& callback, Progress progress, detail::Checkpoint* checkpoint)
+      : callback_(callback), progress_(progress), checkpoint_(checkpoint) {
+    report();
   }
 
- private:
-  std::optional<Eigen::Isometry3d> sensor_pose(const FreePart& free, std::size_t cell, int sample) const {
-    const auto word = [](std::uint64_t value, int half) { return static_cast<std::uint32_t>(value >> (32 * half)); };
-    constexpr std::uint32_t kPlaces = 0x706c6163;  // apart from the noise, which is keyed by the same numbers
-    std::seed_seq key{
-        word(options_.seed, 0), word(options_.seed, 1), word(cell, 0), word(cell, 1), static_cast<std::uint32_t>(sample), kPlaces};
-    std::mt19937_64 engine(key);
-    const auto uniform = [&engine] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
-    for (int draw = 0; draw < kMostDraws; ++draw) {
-      const double share = (sample + uniform()) / options_.samples;
-      const double u = uniform();
-      const double v = uniform();
-      Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
-      T_map_base.translation() << free.at(share, u, v), options_.floor;
-      const Eigen::Isometry3d T_map_lidar = T_map_base * lidar_.T_base_lidar;
-      if (scene_.is_free(T_map_lidar.translation().cast<float>(), kSensorClearance)) return T_map_lidar;
-    }
-    return std::nullopt;
-  }
-
-  const Scene& scene_;
-  const LidarModel& lidar_;
-  const MapOptions& options_;
-};
-
-// Tells of progress, one call at a time.
-class Reporter {
- public:
-  Reporter(const ProgressCallback& callback, std::size_t total) : callback_(callback), progress_{0, total} { report(); }
-
-  void advance() {
+  void enter(std::size_t cell, const CellValue& value) {
     const std::scoped_lock lock(mutex_);
+    if (checkpoint_ != nullptr) checkpoint_->append(cell, value);
     ++progress_.done;
     report();
   }
@@ -124,6 +45,7 @@ class Reporter {
   const ProgressCallback& callback_;
   std::mutex mutex_;
   Progress progress_;
+  detail::Checkpoint* checkpoint_;
 };
 
 struct Job {
@@ -148,9 +70,18 @@ std::vector<Job> jobs_for(const OccupancyMap& occupancy, const GridGeometry& geo
   return jobs;
 }
 
-std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluator& evaluator, const MapOptions& options) {
+std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluator& evaluator, const MapOptions& options,
+                                detail::Checkpoint* checkpoint) {
   std::vector<CellValue> values(jobs.size());
-  Reporter reporter(options.progress, jobs.size());
+  std::vector<std::size_t> left;
+  for (std::size_t i = 0; i < jobs.size(); ++i) {
+    if (checkpoint != nullptr && checkpoint->found().contains(jobs[i].cell)) {
+      values[i] = checkpoint->found().at(jobs[i].cell);
+    } else {
+      left.push_back(i);
+    }
+  }
+  Ledger ledger(options.progress, {jobs.size() - left.size(), jobs.size()}, checkpoint);
   tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   arena.execute([&] {
     // Workers compute in this thread's floating-point mode, whoever woke them first.
@@ -160,12 +91,13 @@ std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluato
     tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
     const auto evaluate_range = [&](const tbb::blocked_range<std::size_t>& range) {
       Scorer& scorer = scorers.local();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        values[i] = evaluator(jobs[i].free, jobs[i].cell, scorer);
-        reporter.advance();
+      for (std::size_t k = range.begin(); k != range.end(); ++k) {
+        const Job& job = jobs[left[k]];
+        values[left[k]] = evaluator(job.free, job.cell, scorer);
+        ledger.enter(job.cell, values[left[k]]);
       }
     };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, jobs.size(), 1), evaluate_range, tbb::simple_partitioner(), context);
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, left.size(), 1), evaluate_range, tbb::simple_partitioner(), context);
   });
   return values;
 }
@@ -174,7 +106,7 @@ std::vector<AlignabilityMap::Layer> layers_of(const GridGeometry& geometry, cons
                                               const std::vector<CellValue>& values) {
   std::vector<AlignabilityMap::Layer> layers;
   const auto add = [&](const char* name, auto value_of) {
-    Grid<float> grid(geometry, kNan);
+    Grid<float> grid(geometry, CellValue::kNan);
     for (std::size_t i = 0; i < jobs.size(); ++i) grid[jobs[i].cell] = value_of(values[i]);
     layers.push_back({name, std::move(grid)});
   };
@@ -225,7 +157,13 @@ AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& o
   map.options = to_yaml(options);
   map.sensor = lidar.yaml;
   const std::vector<Job> jobs = jobs_for(occupancy, map.geometry, options);
-  map.layers = layers_of(map.geometry, jobs, evaluate(jobs, CellEvaluator(scene, lidar, options), options));
+  std::optional<detail::Checkpoint> checkpoint;
+  if (options.checkpoint) {
+    const std::string all_options = map.options + "resolution: " + to_text(options.resolution) + '\n';
+    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, lidar, all_options, options.seed));
+  }
+  const CellEvaluator evaluator(scene, lidar, options);
+  map.layers = layers_of(map.geometry, jobs, evaluate(jobs, evaluator, options, checkpoint ? &*checkpoint : nullptr));
   return map;
 }
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <filesystem>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -27,6 +28,9 @@ struct MapOptions {
   AlignabilityOptions alignability;
   /// Evaluates these alone where given; the others stay NaN.
   std::optional<std::vector<Cell>> cells;
+  /// Keeps each cell in this file as soon as it is evaluated, and takes from it what an earlier build of the same site, sensor and options
+  /// had done: a build killed at any moment goes on and ends in the same bytes. The file stays; who has stored the map removes it.
+  std::optional<std::filesystem::path> checkpoint = {};
   int threads = 0;  ///< 0: one a processor
   ProgressCallback progress = {};
   std::stop_token stop = {};
@@ -35,7 +39,8 @@ struct MapOptions {
 /// The alignability map of a site (Castellano-Quero et al., Eq. 2): α of a cell is the median over scans simulated at places stratified
 /// over its free part, `base_link` at yaw 0, range noise on. A place where the sensor would be in or within 10 cm of a surface is
 /// drawn anew, and given up after 20 draws. Layers alpha, samples, iqr, weak_x, weak_y, weak_z.
-/// The same bytes for any number of threads. Throws std::invalid_argument for options out of range, Interrupted.
+/// The same bytes for any number of threads. Throws std::invalid_argument for options out of range, Interrupted, and InputError for
+/// a checkpoint that cannot be written, is none, is another build's or that of one under way.
 AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
                                        const MapOptions& options);
 

@@ -3,6 +3,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <utility>
 
 #include "alignability/build_map.hpp"
 #include "cli/command.hpp"
@@ -46,7 +47,24 @@ void print_summary(const Json& summary) {
   for (const Json& file : summary["files"]) std::cout << "wrote " << file.get<std::string>() << '\n';
 }
 
-int run(Options options) {
+// Says once how much of the map was there already.
+ProgressCallback telling_of_the_start(ProgressCallback show, const std::filesystem::path& checkpoint) {
+  return [show = std::move(show), checkpoint, started = false](Progress progress) mutable {
+    if (!std::exchange(started, true) && progress.done > 0) {
+      std::cerr << checkpoint.string() << ": " << progress.done << " of " << progress.total << " cells are there; going on from them\n";
+    }
+    show(progress);
+  };
+}
+
+// Keeps what is done in NAME.part until the map is stored.
+AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, MapOptions options) {
+  ProgressBar bar("alignability map");
+  options.progress = telling_of_the_start(bar.callback(), *options.checkpoint);
+  return build_alignability_map(scene, occupancy, lidar, options);
+}
+
+int build_and_store(Options options) {
   const Interrupt interrupt;
   const auto begin = std::chrono::steady_clock::now();
   const LidarModel lidar = read_lidar_model(options.sensor);
@@ -54,16 +72,13 @@ int run(Options options) {
   const Scene scene(read_meshes(options.scene, options.reading));
   options.map.alignability.segmentation.range_min = lidar.range_min;
   options.map.stop = interrupt.token();
-  AlignabilityMap map;
-  {
-    ProgressBar bar("alignability map");
-    options.map.progress = bar.callback();
-    map = build_alignability_map(scene, occupancy, lidar, options.map);
-  }
-  map.provenance = provenance(options);
   const std::filesystem::path name = output_name(options.output);
+  options.map.checkpoint = with_ending(name, ".part");
+  AlignabilityMap map = build(scene, occupancy, lidar, options.map);
+  map.provenance = provenance(options);
   draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, with_ending(name, ".png"));
   write_alignability_map(map, name);
+  std::filesystem::remove(*options.map.checkpoint);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   const Json summary = map_json(map, seconds, {with_ending(name, ".yaml"), with_ending(name, ".tiff"), with_ending(name, ".png")});
   if (options.json) {
@@ -72,6 +87,16 @@ int run(Options options) {
     print_summary(summary);
   }
   return kYes;
+}
+
+int run(const Options& options) {
+  try {
+    return build_and_store(options);
+  } catch (const Interrupted&) {
+    std::cerr << "\nalignability: interrupted; " << with_ending(output_name(options.output), ".part").string()
+              << " keeps what is done, and the same command goes on from there\n";
+    return kInterrupted;
+  }
 }
 
 }  // namespace
@@ -90,7 +115,10 @@ void add_map(CLI::App& app, Work& work) {
   command->add_option("--threads", options->map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_scoring_options(*command, options->map.alignability);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml, NAME.tiff and NAME.png")->required();
+  command
+      ->add_option("-o,--output", options->output,
+                   "NAME: writes NAME.yaml, NAME.tiff and NAME.png; NAME.part keeps what is done until then")
+      ->required();
   add_world_options(*command, options->reading);
   command->footer(
       "Examples:\n"

@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "tests/core/temporary_folder.hpp"
 #include "tests/alignability/simulated.hpp"
 #include "tests/costmap/ascii_map.hpp"
 
@@ -68,6 +69,31 @@ TEST(BuildMap, EvaluatesTheCellsThatAreFreeEnough) {
     const Eigen::Vector3f weak((*map.find_layer("weak_x"))[i], (*map.find_layer("weak_y"))[i], (*map.find_layer("weak_z"))[i]);
     EXPECT_NEAR(weak.norm(), 1.0f, 1e-5f);
   }
+}
+
+TEST(BuildMap, GoesOnFromItsCheckpointToTheSameBytes) {
+  const AlignabilityMap undisturbed = build_alignability_map(room(), room_occupancy(), small_lidar(), few_samples());
+  const test::TemporaryFolder folder;
+  MapOptions options = few_samples();
+  options.threads = 2;
+  options.checkpoint = folder / "map.part";
+  std::stop_source stop;
+  options.stop = stop.get_token();
+  options.progress = [&](Progress progress) {
+    if (progress.done == 4) stop.request_stop();
+  };
+  EXPECT_THROW(build_alignability_map(room(), room_occupancy(), small_lidar(), options), Interrupted);
+  options.stop = {};
+  std::optional<std::size_t> there;
+  options.progress = [&](Progress progress) {
+    if (!there) there = progress.done;
+  };
+  EXPECT_TRUE(same_bytes(build_alignability_map(room(), room_occupancy(), small_lidar(), options), undisturbed));
+  EXPECT_GE(there, 4u);
+  EXPECT_LT(there, 11u);
+  there.reset();
+  EXPECT_TRUE(same_bytes(build_alignability_map(room(), room_occupancy(), small_lidar(), options), undisturbed));
+  EXPECT_EQ(there, 11u);
 }
 
 TEST(BuildMap, GivesTheSameBytesForAnyNumberOfThreads) {

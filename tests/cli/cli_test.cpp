@@ -2,8 +2,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <chrono>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <random>
 
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_site.hpp"
@@ -30,6 +32,10 @@ class Cli : public testing::Test {
     return run(arguments);
   }
   bool exists(const std::string& name) const { return std::filesystem::exists(folder / name); }
+  std::string bytes(const std::string& name) const {
+    std::ifstream stream(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(stream), {});
+  }
   void make_maps() const {
     ASSERT_EQ(run(kOccupancy).exit_code, 0);
     ASSERT_EQ(run(kMap).exit_code, 0);
@@ -248,15 +254,47 @@ TEST_F(Cli, EndsHelpWithTwoExamples) {
   EXPECT_EQ(run({"--version"}).exit_code, 0);
 }
 
-TEST_F(Cli, LeavesNothingBehindWhenInterrupted) {
+TEST_F(Cli, KeepsWhatIsDoneAndNothingElseWhenInterrupted) {
   ASSERT_EQ(run(kOccupancy).exit_code, 0);
   const int before = folder.files();
   std::vector<std::string> endless = kMap;
   endless[8] = "100000";
-  const test::Outcome outcome = test::run_program(endless, folder / "", 1.0);
+  const test::Outcome outcome = test::run_program(endless, folder / "", test::Signal{.after = 1.0, .number = SIGINT});
   EXPECT_EQ(outcome.exit_code, 130);
-  EXPECT_THAT(outcome.err, HasSubstr("interrupted"));
-  EXPECT_EQ(folder.files(), before);
+  EXPECT_THAT(outcome.err, HasSubstr("interrupted; alignability.part keeps what is done"));
+  EXPECT_EQ(folder.files(), before + 1);
+  const test::Outcome other = run(kMap);
+  EXPECT_EQ(other.exit_code, 0) << "no cell was done: " << other.err;
+}
+
+TEST_F(Cli, GoesOnWhereItWasKilledAndEndsInTheSameBytes) {
+  ASSERT_EQ(run(kOccupancy).exit_code, 0);
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_EQ(run(kMap).exit_code, 0);
+  const double lasts = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const std::string undisturbed = bytes("alignability.tiff") + bytes("alignability.yaml");
+  std::mt19937_64 engine(1);
+  int killed = 0;
+  int resumed = 0;
+  for (int round = 0; round < 20; ++round) {
+    const double after = std::uniform_real_distribution<double>(0.0, 0.5 * lasts)(engine);
+    const test::Outcome outcome = test::run_program(kMap, folder / "", test::Signal{.after = after, .number = SIGKILL});
+    killed += outcome.exit_code == 128 + SIGKILL ? 1 : 0;
+    resumed += outcome.err.find("cells are there; going on from them") != std::string::npos ? 1 : 0;
+  }
+  EXPECT_GT(killed, 5);
+  EXPECT_GT(resumed, 0);
+  const test::Outcome last = run(kMap);
+  EXPECT_EQ(last.exit_code, 0) << last.err;
+  EXPECT_EQ(bytes("alignability.tiff") + bytes("alignability.yaml"), undisturbed);
+  EXPECT_FALSE(exists("alignability.part"));
+}
+
+TEST_F(Cli, RefusesToLoseTheCellsOfAnotherBuild) {
+  ASSERT_EQ(run(kOccupancy).exit_code, 0);
+  folder.write("alignability.part", "my own notes");
+  EXPECT_THAT(run(kMap).err, StartsWith("alignability.part: is not a checkpoint of ours"));
+  EXPECT_TRUE(exists("alignability.part"));
 }
 
 TEST_F(Cli, GivesTheSameMapFilesEveryTime) {
@@ -265,10 +303,6 @@ TEST_F(Cli, GivesTheSameMapFilesEveryTime) {
                  "1", "-o", "again"})
                 .exit_code,
             0);
-  const auto bytes = [&](const std::string& name) {
-    std::ifstream stream(folder / name, std::ios::binary);
-    return std::string(std::istreambuf_iterator<char>(stream), {});
-  };
   EXPECT_EQ(bytes("alignability.tiff"), bytes("again.tiff"));
 }
 

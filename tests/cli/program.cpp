@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <csignal>
 #include <fstream>
 #include <sstream>
 #include <thread>
@@ -33,7 +32,7 @@ std::string contents(const std::filesystem::path& file) {
 
 }  // namespace
 
-Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder, double interrupt_after) {
+Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder, std::optional<Signal> signal) {
   std::vector<std::string> words{ALIGNABILITY_PROGRAM};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
@@ -45,12 +44,20 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::filesy
   const std::filesystem::path err = base.string() + ".err";
   const pid_t child = ::fork();
   if (child == 0) become(argv, folder, out, err);
-  if (interrupt_after > 0.0) {
-    std::this_thread::sleep_for(std::chrono::duration<double>(interrupt_after));
-    ::kill(child, SIGINT);
-  }
   int status = 0;
-  ::waitpid(child, &status, 0);
+  if (signal) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::duration<double>(signal->after);
+    while (::waitpid(child, &status, WNOHANG) == 0) {
+      if (std::chrono::steady_clock::now() >= end) {
+        ::kill(child, signal->number);
+        ::waitpid(child, &status, 0);
+        break;
+      }
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    }
+  } else {
+    ::waitpid(child, &status, 0);
+  }
   Outcome outcome{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), contents(out), contents(err)};
   std::filesystem::remove(out);
   std::filesystem::remove(err);

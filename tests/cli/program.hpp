@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <csignal>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -13,7 +15,14 @@ struct Outcome {
   std::string err;
 };
 
-/// Runs the program with these arguments in a folder. After `interrupt_after` seconds, if positive, sends it SIGINT.
-Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder, double interrupt_after = 0.0);
+struct Signal {
+  double after = 0.0;  ///< [s]
+  int number = SIGINT;
+};
+
+/// Runs the program with these arguments in a folder, and sends it a signal if it lasts that long. Its exit code is 128 + the signal's
+/// number when it ended by one.
+Outcome run_program(const std::vector<std::string>& arguments, const std::filesystem::path& folder,
+                    std::optional<Signal> signal = std::nullopt);
 
 }  // namespace alignability::test

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <limits>
+#include <optional>
+
+#include "alignability/build_map.hpp"
+
+namespace alignability::detail {
+
+/// What a map says of a cell; NaN where there is nothing to say.
+struct CellValue {
+  static constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+
+  float alpha = kNan;
+  float samples = kNan;
+  float iqr = kNan;
+  Eigen::Vector3f weakest = Eigen::Vector3f::Constant(kNan);
+};
+
+/// Evaluates cells, each independent of the rest. Safe to call from many threads, each with its own scorer.
+class CellEvaluator {
+ public:
+  /// All three must outlive it.
+  CellEvaluator(const Scene& scene, const LidarModel& lidar, const MapOptions& options) : scene_(scene), lidar_(lidar), options_(options) {}
+
+  /// Throws Interrupted.
+  CellValue operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const;
+
+ private:
+  std::optional<Eigen::Isometry3d> sensor_pose(const FreePart& free, std::size_t cell, int sample) const;
+
+  const Scene& scene_;
+  const LidarModel& lidar_;
+  const MapOptions& options_;
+};
+
+}  // namespace alignability::detail
