@@ -15,6 +15,7 @@
 #include <stdexcept>
 
 #include "planner/alignability_objective.hpp"
+#include "planner/cost_bound.hpp"
 #include "planner/drivability.hpp"
 #include "planner/headings.hpp"
 #include "planner/path_shortening.hpp"
@@ -149,6 +150,15 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
   return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
 }
 
+// Turning comes on top of what the way costs, however it is driven.
+double least_cost(const PlanQuery& query, const PlanningFields& fields, const DrivableArea& area) {
+  const auto lattice = std::make_shared<const CostLattice>(*fields.risk, *fields.clearance, query.weight, area.inscribed_radius());
+  const double way = CostBound(lattice, query.goal.position(), query.goal_tolerance.position)(query.start.position());
+  if (query.motion.space == MotionSpace::r2) return way;
+  const double turn = std::abs(normalized_angle(query.goal.yaw - query.start.yaw)) - query.goal_tolerance.heading;
+  return way + query.motion.turn_cost * std::max(0.0, turn);
+}
+
 }  // namespace
 
 const char* to_string(PlanStatus status) {
@@ -199,6 +209,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   const auto si = make_space_information(query, area);
   const auto definition = make_definition(query, fields, si);
   const auto path = solve(result.query, options, definition, watch, result);
+  if (!options.stop.stop_requested()) result.lower_bound = least_cost(query, fields, area);
   if (options.stop.stop_requested()) {
     result.status = PlanStatus::interrupted;
   } else if (path) {

@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "core/input_error.hpp"
+#include "planner/field_planner.hpp"
 #include "planner/refused_planners.hpp"
 
 namespace alignability {
@@ -83,6 +84,7 @@ struct Offer {
 };
 
 constexpr Offer kOffers[] = {
+    {"field", make<FieldPlanner>},
     {"rrtstar", make_rrtstar},
     {"rrtsharp", make_without_rejection<og::RRTsharp>},
     {"rrtxstatic", make_without_rejection<og::RRTXstatic>},

@@ -11,10 +11,10 @@
 
 namespace alignability {
 
-/// The one that finds the right way around obstacles soonest and repeats under iterations: docs/planners.md has the figures.
-inline constexpr const char* kDefaultPlanner = "bitstar";
+/// The one that is nearest to the optimum soonest: docs/planners.md has the figures.
+inline constexpr const char* kDefaultPlanner = "field";
 
-/// The names of OMPL's planners that are offered, each honouring the objective.
+/// The names of the planners that are offered, our own first, each honouring the objective.
 std::vector<std::string> planner_names();
 
 /// Why a planner of that name is not offered; nullopt when it is.
