@@ -6,7 +6,9 @@
 
 #include "core/range.hpp"
 #include "planner/ellipse_sampler.hpp"
+#include "planner/informed_field_sampler.hpp"
 #include "planner/pose_goal.hpp"
+#include "planner/poses.hpp"
 
 namespace alignability {
 namespace ob = ompl::base;
@@ -24,14 +26,19 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
     throw ompl::Exception("AlignabilityObjective", "weight and turn_cost must be at least 0");
   }
   description_ = "Alignability";
-  // A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
-  setCostToGoHeuristic([projection = projection_](const ob::State* state, const ob::Goal* goal) {
-    const auto* region = dynamic_cast<const PoseGoal*>(goal);
-    if (region == nullptr) return ob::Cost(0.0);
-    const double distance = (projection(state).position() - region->pose().position()).norm();
-    return ob::Cost(std::max(0.0, distance - region->tolerance().position));
-  });
+  setCostToGoHeuristic([this](const ob::State* state, const ob::Goal* goal) { return cost_to_go(state, goal); });
 }
+
+// A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
+ob::Cost AlignabilityObjective::cost_to_go(const ob::State* state, const ob::Goal* goal) const {
+  const Eigen::Vector2d at = projection_(state).position();
+  const double bound = bounds_ ? bounds_->to_goal(at) : 0.0;
+  const auto* region = dynamic_cast<const PoseGoal*>(goal);
+  const double straight = region == nullptr ? 0.0 : (at - region->pose().position()).norm() - region->tolerance().position;
+  return ob::Cost(std::max(straight, std::isfinite(bound) ? bound : 0.0));
+}
+
+void AlignabilityObjective::set_bounds(std::shared_ptr<const RouteBounds> bounds) { bounds_ = std::move(bounds); }
 
 ob::Cost AlignabilityObjective::stateCost(const ob::State* state) const {
   const Pose2 pose = projection_(state);
@@ -43,7 +50,9 @@ ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::Stat
 }
 
 ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
-  return ob::Cost((projection_(to).position() - projection_(from).position()).norm());
+  const Eigen::Vector2d a = projection_(from).position();
+  const Eigen::Vector2d b = projection_(to).position();
+  return ob::Cost(bounds_ ? bounds_->between(a, b) : (b - a).norm());
 }
 
 bool AlignabilityObjective::isSymmetric() const {
@@ -53,10 +62,20 @@ bool AlignabilityObjective::isSymmetric() const {
 ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr& problem,
                                                                         unsigned int largest_number_of_calls) const {
   const auto* goal = dynamic_cast<const PoseGoal*>(problem->getGoal().get());
+  if (bounds_ && in_plain_space_) {
+    return std::make_shared<InformedFieldSampler>(problem, largest_number_of_calls, bounds_, least_turning(*problem));
+  }
   if (goal == nullptr || !in_plain_space_ || problem->getStartStateCount() != 1) {
     return ob::OptimizationObjective::allocInformedStateSampler(problem, largest_number_of_calls);
   }
   return std::make_shared<EllipseSampler>(problem, largest_number_of_calls, *goal);
+}
+
+double AlignabilityObjective::least_turning(const ob::ProblemDefinition& problem) const {
+  const auto* goal = dynamic_cast<const PoseGoal*>(problem.getGoal().get());
+  if (goal == nullptr || problem.getStartStateCount() != 1 || !has_heading(*si_->getStateSpace())) return 0.0;
+  const double turn = std::abs(normalized_angle(goal->pose().yaw - projection_(problem.getStartState(0)).yaw));
+  return options_.turn_cost * std::max(0.0, turn - goal->tolerance().heading);
 }
 
 double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {

@@ -22,6 +22,11 @@ Corners corners(const std::vector<T>& values, std::size_t cell, std::size_t row)
           static_cast<double>(values[cell + row + 1])};
 }
 
+// An edge's value at its share t is linear but for this times t² - t, which makes it grow in proportion to the cost.
+double bend(double from, double to, double cost_from, double cost_to) {
+  return (to - from) * (cost_to - cost_from) / (cost_to + cost_from);
+}
+
 // What an edge is given at least of what its cost allows. Wherever L hardly grows along an edge, this keeps Dijkstra's ways from changing
 // over for nothing to where the cells' factors are smallest.
 constexpr double kLeast = 0.1;
@@ -132,9 +137,8 @@ double CostBound::operator()(const Eigen::Vector2d& point) const {
   if (value.low_left == kInfinite) return kInfinite;
   const Corners cost = corners(lattice_->cost, grid.index(*cell), row);
   const Eigen::Vector2d at = (point - grid.corner(*cell)) / grid.resolution;
-  // An edge's value at its share t; linear but for the bend that makes it grow in proportion to the cost.
   const auto on_edge = [](double t, double from, double to, double cost_from, double cost_to) {
-    return (to - from) * (cost_to - cost_from) / (cost_to + cost_from) * (t * t - t);
+    return bend(from, to, cost_from, cost_to) * (t * t - t);
   };
   const double below = value.low_left + at.x() * (value.low_right - value.low_left);
   const double above = value.high_left + at.x() * (value.high_right - value.high_left);
@@ -143,6 +147,24 @@ double CostBound::operator()(const Eigen::Vector2d& point) const {
          at.y() * on_edge(at.x(), value.high_left, value.high_right, cost.high_left, cost.high_right) +
          (1.0 - at.x()) * on_edge(at.y(), value.low_left, value.high_left, cost.low_left, cost.high_left) +
          at.x() * on_edge(at.y(), value.low_right, value.high_right, cost.low_right, cost.high_right);
+}
+
+double CostBound::dip(std::size_t cell) const {
+  const auto row = static_cast<std::size_t>(lattice_->geometry.width);
+  const Corners value = corners(at_node_, cell, row);
+  const Corners cost = corners(lattice_->cost, cell, row);
+  const double along_x = std::max({0.0, bend(value.low_left, value.low_right, cost.low_left, cost.low_right),
+                                   bend(value.high_left, value.high_right, cost.high_left, cost.high_right)});
+  const double along_y = std::max({0.0, bend(value.low_left, value.high_left, cost.low_left, cost.high_left),
+                                   bend(value.low_right, value.high_right, cost.low_right, cost.high_right)});
+  return 0.25 * (along_x + along_y);
+}
+
+double CostBound::least_sum(const CostBound& a, const CostBound& b, std::size_t cell) {
+  const auto row = static_cast<std::size_t>(a.lattice_->geometry.width);
+  double least = kInfinite;
+  for (const std::size_t node : {cell, cell + 1, cell + row, cell + row + 1}) least = std::min(least, a.at_node_[node] + b.at_node_[node]);
+  return least == kInfinite ? kInfinite : least - a.dip(cell) - b.dip(cell);
 }
 
 }  // namespace alignability

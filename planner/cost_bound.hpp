@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
+
 #include "planner/cost_lattice.hpp"
 
 namespace alignability {
@@ -28,9 +30,15 @@ class CostBound {
   /// [equivalent m]; infinite where no path leads to the disk, which is a proof, and outside of open cells.
   double operator()(const Eigen::Vector2d& point) const;
 
-  const CostLattice& lattice() const { return *lattice_; }
+  /// At most the least that the sum of two bounds is in a cell.
+  static double least_sum(const CostBound& a, const CostBound& b, std::size_t cell);
+
+  const std::shared_ptr<const CostLattice>& shared_lattice() const { return lattice_; }
 
  private:
+  /// The most by which it dips below the interpolation of the corners' values in a cell.
+  double dip(std::size_t cell) const;
+
   std::shared_ptr<const CostLattice> lattice_;
   std::vector<double> at_node_;
 };

@@ -46,10 +46,13 @@ PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
   std::vector<std::size_t> before(path.size(), 0);
   cost[0] = 0.0;
   for (std::size_t to = 1; to < path.size(); ++to) {
-    for (std::size_t from = to; from-- > 0 && to - from <= kWindow;) {
+    before[to] = to - 1;
+    cost[to] = cost[to - 1] + motion.cost(path[to - 1], path[to]);
+    // The longest first: as a rule it is the cheapest, and the shorter ones need no check then.
+    for (std::size_t from = to > kWindow ? to - kWindow : 0; from + 1 < to; ++from) {
       const double reached = cost[from] + motion.cost(path[from], path[to]);
       // A vertex that brings nothing but rounding is left out.
-      if (reached > cost[to] * (1.0 + 1e-9) || (to - from > 1 && !motion.is_allowed(path[from], path[to]))) continue;
+      if (reached > cost[to] * (before[to] + 1 == to ? 1.0 + 1e-9 : 1.0) || !motion.is_allowed(path[from], path[to])) continue;
       cost[to] = reached;
       before[to] = from;
     }
