@@ -42,6 +42,7 @@ Step best_step(const GridGeometry& grid, const std::vector<double>& to_go, const
 // The cheapest of the paths that leave out vertices, none further apart than the window.
 PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
   constexpr std::size_t kWindow = 32;
+  constexpr double kRounding = 1e-9;  // of the cost
   std::vector<double> cost(path.size(), kInfinite);
   std::vector<std::size_t> before(path.size(), 0);
   cost[0] = 0.0;
@@ -51,8 +52,9 @@ PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
     // The longest first: as a rule it is the cheapest, and the shorter ones need no check then.
     for (std::size_t from = to > kWindow ? to - kWindow : 0; from + 1 < to; ++from) {
       const double reached = cost[from] + motion.cost(path[from], path[to]);
-      // A vertex that brings nothing but rounding is left out.
-      if (reached > cost[to] * (before[to] + 1 == to ? 1.0 + 1e-9 : 1.0) || !motion.is_allowed(path[from], path[to])) continue;
+      // A vertex that brings nothing but rounding is left out, and of shortcuts that are as good one is enough.
+      const double worth = before[to] + 1 == to ? 1.0 + kRounding : 1.0 - kRounding;
+      if (reached > worth * cost[to] || !motion.is_allowed(path[from], path[to])) continue;
       cost[to] = reached;
       before[to] = from;
     }
