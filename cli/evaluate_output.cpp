@@ -36,6 +36,7 @@ Json way_json(const std::vector<Pose2>& path, const WayEvaluation& way, const Pl
   json["planner"] = nullptr;
   json["seed"] = nullptr;
   json["options"].erase("planner");
+  json.erase("lower_bound");
   json["obstruction"] = nullptr;
   if (way.obstruction) json["obstruction"] = {way.obstruction->x, way.obstruction->y, way.obstruction->yaw};
   return json;

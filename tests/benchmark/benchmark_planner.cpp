@@ -29,7 +29,7 @@ namespace ob = ompl::base;
 namespace og = ompl::geometric;
 
 constexpr std::array kBudgets{0.03, 0.1, 0.3, 1.0, 3.0};  // [s]
-constexpr std::uint32_t kSeeds = 5;
+constexpr std::uint32_t kSeeds = 3;
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
@@ -72,6 +72,8 @@ og::SimpleSetup setup_of(const Site& site, Parts parts) {
   setup.setStateValidityChecker(std::make_shared<DrivabilityChecker>(si, site.area));
   if (parts == Parts::stock) {
     setup.setOptimizationObjective(std::make_shared<StockObjective>(si, site.motion));
+    // A step of a cell, for checks and integral; by default it would be a hundredth of the map, and most paths collide.
+    si->setStateValidityCheckingResolution(map.resolution / plane->getMaximumExtent());
   } else {
     si->setMotionValidator(std::make_shared<DrivabilityMotionValidator>(si, site.area));
     const auto objective = std::make_shared<AlignabilityObjective>(si, site.fields.risk, ObjectiveOptions{.weight = site.motion.weight});
