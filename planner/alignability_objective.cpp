@@ -26,16 +26,13 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
     throw ompl::Exception("AlignabilityObjective", "weight and turn_cost must be at least 0");
   }
   description_ = "Alignability";
-  setCostToGoHeuristic([this](const ob::State* state, const ob::Goal* goal) { return cost_to_go(state, goal); });
-}
-
-// A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
-ob::Cost AlignabilityObjective::cost_to_go(const ob::State* state, const ob::Goal* goal) const {
-  const Eigen::Vector2d at = projection_(state).position();
-  const double bound = bounds_ ? bounds_->to_goal(at) : 0.0;
-  const auto* region = dynamic_cast<const PoseGoal*>(goal);
-  const double straight = region == nullptr ? 0.0 : (at - region->pose().position()).norm() - region->tolerance().position;
-  return ob::Cost(std::max(straight, std::isfinite(bound) ? bound : 0.0));
+  // A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
+  setCostToGoHeuristic([projection = projection_](const ob::State* state, const ob::Goal* goal) {
+    const auto* region = dynamic_cast<const PoseGoal*>(goal);
+    if (region == nullptr) return ob::Cost(0.0);
+    const double distance = (projection(state).position() - region->pose().position()).norm();
+    return ob::Cost(std::max(0.0, distance - region->tolerance().position));
+  });
 }
 
 void AlignabilityObjective::set_bounds(std::shared_ptr<const RouteBounds> bounds) { bounds_ = std::move(bounds); }
@@ -50,9 +47,7 @@ ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::Stat
 }
 
 ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
-  const Eigen::Vector2d a = projection_(from).position();
-  const Eigen::Vector2d b = projection_(to).position();
-  return ob::Cost(bounds_ ? bounds_->between(a, b) : (b - a).norm());
+  return ob::Cost((projection_(to).position() - projection_(from).position()).norm());
 }
 
 bool AlignabilityObjective::isSymmetric() const {

@@ -27,7 +27,7 @@ ompl::base::PlannerPtr make_planner(const PlannerChoice& choice, const ompl::bas
 /// Whether a planner draws as many samples as there are iterations and then stops by itself, so that nobody else is to count.
 bool counts_its_own_iterations(const std::string& name);
 
-/// Whether a planner searches by the objective's heuristics or draws from its informed set, and so is the better for bounds.
+/// Whether a planner draws from the objective's informed set, and so is the better for bounds.
 bool gains_from_bounds(const std::string& name);
 
 /// Whether a planner tells of its first solution when it has it; CForest does not.

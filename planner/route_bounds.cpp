@@ -25,16 +25,6 @@ RouteBounds::RouteBounds(const DrivableArea& area, double weight, const Eigen::V
   std::ranges::sort(ranked_, {}, [](const Ranked& ranked) { return std::pair(ranked.least, ranked.cell); });
 }
 
-double RouteBounds::between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const {
-  double most = (b - a).norm();
-  for (const CostBound* bound : {&from_start_, &to_goal_}) {
-    const double change = std::abs((*bound)(a) - (*bound)(b));
-    // A place that nothing leads to tells nothing.
-    if (std::isfinite(change)) most = std::max(most, change);
-  }
-  return most;
-}
-
 std::size_t RouteBounds::cells_below(double cost) const {
   const auto end = std::ranges::lower_bound(ranked_, cost, {}, [](const Ranked& ranked) { return static_cast<double>(ranked.least); });
   return static_cast<std::size_t>(end - ranked_.begin());

@@ -20,9 +20,6 @@ class RouteBounds {
   double to_goal(const Eigen::Vector2d& point) const { return to_goal_(point); }
   /// At most what a path from the start to the goal costs that passes there; infinite likewise.
   double through(const Eigen::Vector2d& point) const { return from_start_(point) + to_goal_(point); }
-  /// At most what any way between two places costs: admissible, consistent, symmetric, and never less than ‖Δxy‖.
-  double between(const Eigen::Vector2d& a, const Eigen::Vector2d& b) const;
-
   /// The cells through which a path below a cost may pass, their number first to last; they are the first of `cell()`. O(log cells).
   std::size_t cells_below(double cost) const;
   /// The square of one of them [m].

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// Certified bounds for whole routes, the heuristics that an objective draws from them, and samples of where a better path may pass.
+// Certified bounds for whole routes, and samples of where a better path may pass.
 #include <gtest/gtest.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
@@ -104,28 +104,6 @@ TEST_P(InformedSet, IsEmptyBelowTheBoundAndAllThatCanBeReachedWithoutOne) {
     ASSERT_TRUE(drawn->sampleUniform(state.get(), objective->infiniteCost()));
     ASSERT_TRUE(std::isfinite(bounds->through(objective->pose_of(state.get()).position())));
   }
-}
-
-TEST_P(InformedSet, HeuristicsAreAdmissibleAndConsistent) {
-  const ob::SpaceInformationPtr& si = setup.getSpaceInformation();
-  const ob::Goal* goal = setup.getGoal().get();
-  ob::ScopedState<> a(si), b(si), c(si);
-  int valid = 0;
-  for (int i = 0; i < 20000; ++i) {
-    a.random();
-    b.random();
-    c.random();
-    if (!si->isValid(a.get()) || !si->isValid(b.get()) || !si->isValid(c.get())) continue;
-    const double ab = objective->motionCostHeuristic(a.get(), b.get()).value();
-    EXPECT_EQ(ab, objective->motionCostHeuristic(b.get(), a.get()).value());
-    EXPECT_LE(ab,
-              objective->motionCostHeuristic(a.get(), c.get()).value() + objective->motionCostHeuristic(c.get(), b.get()).value() + 1e-9);
-    EXPECT_LE(objective->costToGo(a.get(), goal).value(), ab + objective->costToGo(b.get(), goal).value() + 1e-9);
-    if (!si->checkMotion(a.get(), b.get())) continue;
-    ++valid;
-    EXPECT_LE(ab, objective->motionCost(a.get(), b.get()).value() * (1.0 + 1e-9));
-  }
-  EXPECT_GT(valid, 500);
 }
 
 TEST_P(InformedSet, BringsStockPlannersNearTheOptimum) {
