@@ -36,7 +36,6 @@ Json way_json(const std::vector<Pose2>& path, const WayEvaluation& way, const Pl
   json["planner"] = nullptr;
   json["seed"] = nullptr;
   json["options"].erase("planner");
-  json.erase("lower_bound");
   json["obstruction"] = nullptr;
   if (way.obstruction) json["obstruction"] = {way.obstruction->x, way.obstruction->y, way.obstruction->yaw};
   return json;
@@ -46,7 +45,8 @@ Json edge_json(const EdgeEvaluation& evaluated, const RouteGraph& graph, const P
   const RouteEdge& edge = evaluated.edge;
   Json json{{"id", edge.id}, {"from", graph.nodes[edge.from].id}, {"to", graph.nodes[edge.to].id}};
   json.update(way_json(edge.path, evaluated.way, query));
-  for (const char* shared : {"planner", "seed", "weight", "options", "seconds", "first_solution_seconds"}) json.erase(shared);
+  for (const char* shared : {"planner", "seed", "weight", "options", "lower_bound", "seconds", "first_solution_seconds"})
+    json.erase(shared);
   return json;
 }
 
