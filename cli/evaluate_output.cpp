@@ -45,7 +45,9 @@ Json edge_json(const EdgeEvaluation& evaluated, const RouteGraph& graph, const P
   const RouteEdge& edge = evaluated.edge;
   Json json{{"id", edge.id}, {"from", graph.nodes[edge.from].id}, {"to", graph.nodes[edge.to].id}};
   json.update(way_json(edge.path, evaluated.way, query));
-  for (const char* shared : {"planner", "seed", "weight", "options", "seconds", "first_solution_seconds"}) json.erase(shared);
+  for (const char* shared : {"planner", "seed", "weight", "options", "lower_bound", "seconds", "first_solution_seconds"}) {
+    json.erase(shared);
+  }
   return json;
 }
 

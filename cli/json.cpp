@@ -120,6 +120,7 @@ Json plan_json(const PlanResult& result) {
           {"weight", result.query.weight},
           {"options", options_json(result.query)},
           {"cost", figure(result.cost)},
+          {"lower_bound", number(result.lower_bound)},
           {"length", figure(result.figures.length)},
           {"risk_integral", figure(result.figures.risk_integral)},
           {"blind_length", figure(result.figures.blind_length)},

@@ -29,11 +29,17 @@ void write_files(const PlanProblem& problem, const RiskField& risk, const PlanRe
   write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
 }
 
+// Of the certified bound. Where the start is in the goal both are 0.
+double percent_above(const PlanResult& result) {
+  const double bound = result.lower_bound.value_or(0.0);
+  return result.cost > bound ? 100.0 * (result.cost / bound - 1.0) : 0.0;
+}
+
 void print_figures(const PlanResult& result) {
   const PathFigures& figures = result.figures;
   std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
-  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n%-20s %9.2f m\n", "cost", result.cost, "length", figures.length, "risk integral",
-              figures.risk_integral);
+  std::printf("%-20s %9.2f m, at most %.1f %% above the optimum\n", "cost", result.cost, percent_above(result));
+  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "length", figures.length, "risk integral", figures.risk_integral);
   std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "blind", figures.blind_length, "longest blind", figures.longest_blind);
   std::printf("%-20s %9.3f\n%-20s %9.3f\n", "alpha, mean", figures.alpha_mean, "alpha, least", figures.alpha_min);
 }

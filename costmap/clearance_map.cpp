@@ -212,9 +212,10 @@ bool ClearanceMap::is_clear_of_cells(const Eigen::Vector2d& from, const Eigen::V
   const int y0 = std::max(0, static_cast<int>(std::floor(low.y())) - 1);
   const int x1 = std::min(grid.width - 1, static_cast<int>(std::floor(high.x())) + 1);
   const int y1 = std::min(grid.height - 1, static_cast<int>(std::floor(high.y())) + 1);
-  for (int y = y0; y <= y1; ++y) {
-    for (int x = x0; x <= x1; ++x) {
-      if (column_gap_[Cell{x, y}] != 0) continue;
+  for (int x = x0; x <= x1; ++x) {
+    for (int y = y0, gap = 0; y <= y1; y += std::max(1, gap)) {
+      gap = column_gap_[Cell{x, y}];
+      if (gap != 0) continue;
       const double distance_squared = squared_distance({grid.corner({x, y}), grid.corner({x + 1, y + 1})}, from, to);
       if (distance_squared < squared(radius) || distance_squared == 0.0) return false;
     }

@@ -6,7 +6,9 @@
 
 #include "core/range.hpp"
 #include "planner/ellipse_sampler.hpp"
+#include "planner/informed_field_sampler.hpp"
 #include "planner/pose_goal.hpp"
+#include "planner/poses.hpp"
 
 namespace alignability {
 namespace ob = ompl::base;
@@ -33,6 +35,8 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
   });
 }
 
+void AlignabilityObjective::set_bounds(std::shared_ptr<const RouteBounds> bounds) { bounds_ = std::move(bounds); }
+
 ob::Cost AlignabilityObjective::stateCost(const ob::State* state) const {
   const Pose2 pose = projection_(state);
   return ob::Cost(1.0 + options_.weight * risk_->risk(pose.x, pose.y, pose.yaw));
@@ -53,10 +57,20 @@ bool AlignabilityObjective::isSymmetric() const {
 ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr& problem,
                                                                         unsigned int largest_number_of_calls) const {
   const auto* goal = dynamic_cast<const PoseGoal*>(problem->getGoal().get());
+  if (bounds_ && in_plain_space_) {
+    return std::make_shared<InformedFieldSampler>(problem, largest_number_of_calls, bounds_, least_turning(*problem));
+  }
   if (goal == nullptr || !in_plain_space_ || problem->getStartStateCount() != 1) {
     return ob::OptimizationObjective::allocInformedStateSampler(problem, largest_number_of_calls);
   }
   return std::make_shared<EllipseSampler>(problem, largest_number_of_calls, *goal);
+}
+
+double AlignabilityObjective::least_turning(const ob::ProblemDefinition& problem) const {
+  const auto* goal = dynamic_cast<const PoseGoal*>(problem.getGoal().get());
+  if (goal == nullptr || problem.getStartStateCount() != 1 || !has_heading(*si_->getStateSpace())) return 0.0;
+  const double turn = std::abs(normalized_angle(goal->pose().yaw - projection_(problem.getStartState(0)).yaw));
+  return options_.turn_cost * std::max(0.0, turn - goal->tolerance().heading);
 }
 
 double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {

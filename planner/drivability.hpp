@@ -20,6 +20,8 @@ class DrivabilityChecker : public ompl::base::StateValidityChecker {
   /// [m], negative in collision.
   double clearance(const ompl::base::State* state) const override;
 
+  const DrivableArea& area() const { return area_; }
+
  private:
   DrivableArea area_;
   StateProjection projection_;

@@ -25,8 +25,8 @@ const Robot& checked(const Robot& robot) {
 DrivableArea::DrivableArea(std::shared_ptr<const ClearanceMap> clearance, std::shared_ptr<const RiskField> risk, const Robot& robot)
     : clearance_(std::move(clearance)),
       risk_(std::move(risk)),
-      inscribed_radius_(inscribed_radius(checked(robot))),
-      circumscribed_radius_(circumscribed_radius(robot)) {
+      inscribed_radius_(alignability::inscribed_radius(checked(robot))),
+      circumscribed_radius_(alignability::circumscribed_radius(robot)) {
   if (!robot.footprint.empty()) sweep_.emplace(clearance_, robot.footprint);
 }
 

@@ -29,6 +29,11 @@ class DrivableArea {
   bool may_connect(const Pose2& from, const Pose2& to, double tolerance) const;
 
   const GridGeometry& geometry() const { return clearance_->geometry(); }
+  const std::shared_ptr<const ClearanceMap>& clearance_map() const { return clearance_; }
+  const std::shared_ptr<const RiskField>& risk_field() const { return risk_; }
+  /// Of the largest disk around `base_link` within the robot, and of the smallest that holds it [m]; one radius of a disk.
+  double inscribed_radius() const { return inscribed_radius_; }
+  double circumscribed_radius() const { return circumscribed_radius_; }
 
  private:
   std::shared_ptr<const ClearanceMap> clearance_;

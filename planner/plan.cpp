@@ -79,14 +79,14 @@ ob::SpaceInformationPtr make_space_information(const PlanQuery& query, const Dri
   return si;
 }
 
-ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const PlanningFields& fields, const ob::SpaceInformationPtr& si) {
+ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const ob::SpaceInformationPtr& si,
+                                         const ob::OptimizationObjectivePtr& objective) {
   const auto definition = std::make_shared<ob::ProblemDefinition>(si);
   ob::ScopedState<> start(si);
   set_pose(*si->getStateSpace(), query.start, start.get());
   definition->addStartState(start);
   definition->setGoal(std::make_shared<PoseGoal>(si, query.goal, query.goal_tolerance));
-  definition->setOptimizationObjective(
-      std::make_shared<AlignabilityObjective>(si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost}));
+  definition->setOptimizationObjective(objective);
   return definition;
 }
 
@@ -149,6 +149,22 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
   return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
 }
 
+// By the bounds that the search had, or by one for the way to the goal alone. Turning comes on top of what the way costs.
+double least_cost(const PlanQuery& query, const DrivableArea& area, const AlignabilityObjective& objective) {
+  const Eigen::Vector2d start = query.start.position();
+  double least = 0.0;
+  if (objective.bounds()) {
+    least = objective.bounds()->to_goal(start);
+  } else {
+    const auto lattice =
+        std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), query.weight, area.inscribed_radius());
+    least = CostBound(lattice, query.goal.position(), query.goal_tolerance.position)(start);
+  }
+  if (query.motion.space == MotionSpace::r2) return least;
+  const double turn = std::abs(normalized_angle(query.goal.yaw - query.start.yaw)) - query.goal_tolerance.heading;
+  return least + query.motion.turn_cost * std::max(0.0, turn);
+}
+
 }  // namespace
 
 const char* to_string(PlanStatus status) {
@@ -197,14 +213,22 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   }
   seed_ompl(query.planner.seed);
   const auto si = make_space_information(query, area);
-  const auto definition = make_definition(query, fields, si);
+  const auto objective = std::make_shared<AlignabilityObjective>(si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost});
+  const auto definition = make_definition(query, si, objective);
+  if (gains_from_bounds(result.query.planner.name)) {
+    objective->set_bounds(std::make_shared<const RouteBounds>(area, query.weight, query.start.position(), query.goal.position(),
+                                                              query.goal_tolerance.position));
+  }
   const auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
     result.status = PlanStatus::interrupted;
-  } else if (path) {
+  } else {
+    result.lower_bound = least_cost(query, area, *objective);
+  }
+  if (path && result.status != PlanStatus::interrupted) {
     result.status = PlanStatus::solved;
     result.path = poses_of(*path, query);
-    result.cost = path->cost(definition->getOptimizationObjective()).value();
+    result.cost = path->cost(objective).value();
     result.figures = measure(result.path, *fields.risk);
   }
   result.seconds = watch.seconds();

@@ -34,9 +34,10 @@ struct PlanOptions {
 
 struct PlanResult {
   PlanStatus status = PlanStatus::timeout;
-  PlanQuery query;          ///< as planned, the planner's name filled in, the risk's options those of the fields
-  std::vector<Pose2> path;  ///< from the start to within the goal's tolerance, straight between; empty unless solved
-  double cost = 0.0;        ///< of that path [equivalent m]
+  PlanQuery query;                    ///< as planned, the planner's name filled in, the risk's options those of the fields
+  std::vector<Pose2> path;            ///< from the start to within the goal's tolerance, straight between; empty unless solved
+  double cost = 0.0;                  ///< of that path [equivalent m]
+  std::optional<double> lower_bound;  ///< certified: no path from the start to the goal costs less; nullopt where none was sought
   PathFigures figures;
   double seconds = 0.0;                          ///< the fields' construction included
   std::optional<double> first_solution_seconds;  ///< likewise; nullopt without a solution, and of planners that do not tell

@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "core/input_error.hpp"
+#include "planner/field_planner.hpp"
 #include "planner/refused_planners.hpp"
 
 namespace alignability {
@@ -43,7 +44,7 @@ ob::PlannerPtr make_with_samples(const PlannerChoice& choice, const ob::SpaceInf
 ob::PlannerPtr make_rrtstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
   auto planner = std::make_shared<og::RRTstar>(si);
   planner->setTreePruning(false);
-  planner->setInformedSampling(false);
+  planner->setInformedSampling(true);  // by the certified bounds, unlike the rest
   planner->setNewStateRejection(false);
   return planner;
 }
@@ -83,6 +84,7 @@ struct Offer {
 };
 
 constexpr Offer kOffers[] = {
+    {"field", make<FieldPlanner>},
     {"rrtstar", make_rrtstar},
     {"rrtsharp", make_without_rejection<og::RRTsharp>},
     {"rrtxstatic", make_without_rejection<og::RRTXstatic>},
@@ -121,6 +123,8 @@ ob::PlannerPtr make_planner(const PlannerChoice& choice, const ob::SpaceInformat
 }
 
 bool counts_its_own_iterations(const std::string& name) { return name == "fmtstar" || name == "bfmtstar"; }
+
+bool gains_from_bounds(const std::string& name) { return name == "bitstar" || name == "abitstar" || name == "rrtstar"; }
 
 bool reports_its_first_solution(const std::string& name) { return name != "cforest"; }
 

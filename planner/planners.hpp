@@ -11,10 +11,10 @@
 
 namespace alignability {
 
-/// The one that finds the right way around obstacles soonest and repeats under iterations: docs/planners.md has the figures.
-inline constexpr const char* kDefaultPlanner = "bitstar";
+/// The one that is nearest to the optimum soonest: docs/planners.md has the figures.
+inline constexpr const char* kDefaultPlanner = "field";
 
-/// The names of OMPL's planners that are offered, each honouring the objective.
+/// The names of the planners that are offered, our own first, each honouring the objective.
 std::vector<std::string> planner_names();
 
 /// Why a planner of that name is not offered; nullopt when it is.
@@ -26,6 +26,9 @@ ompl::base::PlannerPtr make_planner(const PlannerChoice& choice, const ompl::bas
 
 /// Whether a planner draws as many samples as there are iterations and then stops by itself, so that nobody else is to count.
 bool counts_its_own_iterations(const std::string& name);
+
+/// Whether a planner draws from the objective's informed set, and so is the better for bounds.
+bool gains_from_bounds(const std::string& name);
 
 /// Whether a planner tells of its first solution when it has it; CForest does not.
 bool reports_its_first_solution(const std::string& name);

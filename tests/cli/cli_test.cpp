@@ -144,9 +144,9 @@ TEST_F(Cli, PrintsTheJsonThatTheDesignPromises) {
   EXPECT_EQ(map["scans"].get<int>(), 2 * map["cells_evaluated"].get<int>());
   const json plan = json::parse(run({"plan", "problem.yaml", "--json"}).out);
   EXPECT_EQ(plan["status"], "solved");
-  EXPECT_THAT(keys(plan), testing::UnorderedElementsAre("status", "planner", "seed", "weight", "options", "cost", "length", "risk_integral",
-                                                        "blind_length", "longest_blind", "alpha_mean", "alpha_min", "seconds",
-                                                        "first_solution_seconds", "path"));
+  EXPECT_THAT(keys(plan), testing::UnorderedElementsAre("status", "planner", "seed", "weight", "options", "cost", "lower_bound", "length",
+                                                        "risk_integral", "blind_length", "longest_blind", "alpha_mean", "alpha_min",
+                                                        "seconds", "first_solution_seconds", "path"));
   const json compare = json::parse(run({"compare", "problem.yaml", "--json"}).out);
   EXPECT_THAT(keys(compare), testing::UnorderedElementsAre("shortest", "risk_aware", "ratio"));
   EXPECT_THAT(keys(compare["ratio"]), testing::UnorderedElementsAre("length", "blind_length", "risk_integral"));

@@ -75,6 +75,9 @@ void expect_the_cost_of_its_path(const PlanProblem& problem, const PlanResult& r
   }
   EXPECT_NEAR(result.cost, cost, 1e-5 * cost);
   EXPECT_GE(result.cost, result.figures.length);
+  ASSERT_TRUE(result.lower_bound.has_value());
+  EXPECT_GE(result.cost, *result.lower_bound);
+  EXPECT_LE(result.cost, 1.6 * *result.lower_bound) << "the bound is of no use, or the path";
 }
 
 void expect_from_start_to_goal(const PlanProblem& problem, const PlanResult& result) {

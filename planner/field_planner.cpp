@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/field_planner.hpp"
+
+#include <ompl/base/SpaceInformation.h>
+#include <ompl/geometric/planners/informedtrees/BITstar.h>
+#include <ompl/util/Exception.h>
+
+#include "planner/alignability_objective.hpp"
+#include "planner/drivability.hpp"
+#include "planner/heading_search.hpp"
+#include "planner/pose_goal.hpp"
+#include "planner/poses.hpp"
+
+namespace alignability {
+namespace {
+
+namespace ob = ompl::base;
+namespace og = ompl::geometric;
+using PathPtr = std::shared_ptr<og::PathGeometric>;
+
+struct Task {
+  const DrivableArea& area;
+  const AlignabilityObjective& objective;
+  Pose2 start;
+  Pose2 goal;
+  GoalTolerance tolerance;
+};
+
+// Those of the disks that paths in the plane are made for.
+std::vector<double> radii(const DrivableArea& area) {
+  const double least = area.inscribed_radius();
+  const double most = area.circumscribed_radius();
+  if (least == most) return {least};
+  return {most, 0.5 * (least + most), least};
+}
+
+std::optional<PlanarPath> planar_path(const Task& task, const PlanarMotion& motion) {
+  const Eigen::Vector2d start = task.start.position();
+  const Eigen::Vector2d goal = task.goal.position();
+  if (!motion.is_allowed(start, start) || !motion.is_allowed(goal, goal)) return std::nullopt;
+  const auto path = steepest_path(motion, start, goal);
+  if (!path) return std::nullopt;
+  // Short of the limit by more than rounding, so that it is met.
+  return cut_within(refined(*path, motion), (1.0 - 1e-6) * task.tolerance.position);
+}
+
+std::optional<std::vector<Pose2>> with_headings(const PlanarPath& path, const Task& task, double radius) {
+  const HeadingEnds ends{task.start.yaw, task.goal.yaw, task.tolerance.heading};
+  if (radius >= task.area.circumscribed_radius()) return turning_evenly(path, ends);
+  return turning_clear(path, ends, task.area);
+}
+
+PathPtr as_states(const std::vector<Pose2>& poses, const ob::SpaceInformationPtr& si) {
+  auto path = std::make_shared<og::PathGeometric>(si);
+  ob::ScopedState<> state(si);
+  for (const Pose2& pose : poses) {
+    set_pose(*si->getStateSpace(), pose, state.get());
+    path->append(state.get());
+  }
+  return path;
+}
+
+// nullptr where the plane's path for a disk of that radius makes none for the robot.
+PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformationPtr& si) {
+  const PlanarMotion motion{task.area.risk_field(), task.area.clearance_map(), task.objective.options().weight, radius};
+  const auto planar = planar_path(task, motion);
+  if (!planar) return nullptr;
+  const auto poses = with_headings(*planar, task, radius);
+  if (!poses) return nullptr;
+  const PathPtr path = as_states(*poses, si);
+  return path->check() ? path : nullptr;
+}
+
+double cost_of(const og::PathGeometric& path, const AlignabilityObjective& objective) {
+  double cost = 0.0;
+  for (std::size_t i = 1; i < path.getStateCount(); ++i) cost += objective.motionCost(path.getState(i - 1), path.getState(i)).value();
+  return cost;
+}
+
+const DrivabilityChecker* checker_of(const ob::SpaceInformationPtr& si) {
+  return dynamic_cast<const DrivabilityChecker*>(si->getStateValidityChecker().get());
+}
+
+const AlignabilityObjective* objective_of(const ob::ProblemDefinitionPtr& problem) {
+  return dynamic_cast<const AlignabilityObjective*>(problem->getOptimizationObjective().get());
+}
+
+}  // namespace
+
+FieldPlanner::FieldPlanner(const ob::SpaceInformationPtr& si) : ob::Planner(si, "Field") {
+  specs_.optimizingPaths = true;
+  specs_.canReportIntermediateSolutions = true;
+  specs_.recognizedGoal = ob::GOAL_SAMPLEABLE_REGION;
+}
+
+void FieldPlanner::setup() {
+  ob::Planner::setup();
+  if (checker_of(si_) == nullptr) throw ompl::Exception(name_, "needs a DrivabilityChecker to check states");
+  if (pdef_ && objective_of(pdef_) == nullptr) throw ompl::Exception(name_, "needs an AlignabilityObjective");
+}
+
+ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& until) {
+  checkValidity();
+  if (path_) return add_path();
+  if (search_) return search_on(until);
+  const ob::State* start = pis_.nextStart();
+  if (start == nullptr) return ob::PlannerStatus::INVALID_START;
+  const ob::State* goal = pis_.nextGoal(until);
+  if (goal == nullptr) return ob::PlannerStatus::INVALID_GOAL;
+  const auto* region = dynamic_cast<const PoseGoal*>(pdef_->getGoal().get());
+  const AlignabilityObjective& objective = *objective_of(pdef_);
+  const Task task{checker_of(si_)->area(), objective, objective.pose_of(start), objective.pose_of(goal),
+                  region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance()};
+  for (const double radius : radii(task.area)) {
+    if (until) break;
+    const PathPtr path = path_for_disk(task, radius, si_);
+    if (path && (!path_ || cost_of(*path, objective) < cost_of(*path_, objective))) path_ = path;
+  }
+  return path_ ? add_path() : search_on(until);
+}
+
+ob::PlannerStatus FieldPlanner::add_path() const {
+  const auto objective = pdef_->getOptimizationObjective();
+  const ob::Cost cost(cost_of(*path_, *objective_of(pdef_)));
+  if (const auto& report = pdef_->getIntermediateSolutionCallback()) {
+    report(this, {path_->getStates().begin(), path_->getStates().end()}, cost);
+  }
+  ob::PlannerSolution solution(path_);
+  solution.setPlannerName(getName());
+  solution.setOptimized(objective, cost, objective->isSatisfied(cost));
+  pdef_->addSolutionPath(solution);
+  return ob::PlannerStatus::EXACT_SOLUTION;
+}
+
+ob::PlannerStatus FieldPlanner::search_on(const ob::PlannerTerminationCondition& until) {
+  if (!search_) {
+    // It warns of any other name, since it joins k-nearest neighbours.
+    search_ = std::make_shared<og::BITstar>(si_, "kBITstar");
+    search_->setProblemDefinition(pdef_);
+    search_->setup();
+  }
+  return search_->solve(until);
+}
+
+void FieldPlanner::clear() {
+  ob::Planner::clear();
+  path_.reset();
+  search_.reset();
+}
+
+void FieldPlanner::getPlannerData(ob::PlannerData& data) const {
+  ob::Planner::getPlannerData(data);
+  if (search_) return search_->getPlannerData(data);
+  if (!path_ || path_->getStateCount() == 0) return;
+  const std::vector<ob::State*>& states = path_->getStates();
+  for (std::size_t i = 1; i < states.size(); ++i) data.addEdge(ob::PlannerDataVertex(states[i - 1]), ob::PlannerDataVertex(states[i]));
+  data.addStartVertex(ob::PlannerDataVertex(states.front()));
+  data.addGoalVertex(ob::PlannerDataVertex(states.back()));
+}
+
+}  // namespace alignability

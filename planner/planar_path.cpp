@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/planar_path.hpp"
+
+#include <limits>
+
+#include "planner/cost_lattice.hpp"
+
+namespace alignability {
+namespace {
+
+constexpr double kInfinite = std::numeric_limits<double>::infinity();
+constexpr int kStride = 4;  // [cells] along either axis that a step down the field may take
+
+template <typename Visit>
+void visit_nodes_around(const GridGeometry& grid, const Eigen::Vector2d& at, Visit visit) {
+  const Eigen::Array2d middle = ((at - grid.origin) / grid.resolution).array().round();
+  for (int y = static_cast<int>(middle.y()) - kStride; y <= middle.y() + kStride; ++y) {
+    for (int x = static_cast<int>(middle.x()) - kStride; x <= middle.x() + kStride; ++x) {
+      if (grid.contains({x, y})) visit(grid.index({x, y}), grid.corner({x, y}));
+    }
+  }
+}
+
+// What a field says of getting from a place straight to some node and on from there; ordered by cost.
+struct Step {
+  double cost = kInfinite;
+  double to_go = kInfinite;
+  Eigen::Vector2d to;
+};
+
+Step best_step(const GridGeometry& grid, const std::vector<double>& to_go, const PlanarMotion& motion, const Eigen::Vector2d& from,
+               double below) {
+  Step best;
+  visit_nodes_around(grid, from, [&](std::size_t node, const Eigen::Vector2d& at) {
+    if (!(to_go[node] < below)) return;
+    const double cost = motion.cost(from, at) + to_go[node];
+    if (cost < best.cost && motion.is_allowed(from, at)) best = {cost, to_go[node], at};
+  });
+  return best;
+}
+
+// The cheapest of the paths that leave out vertices, none further apart than the window.
+PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
+  constexpr std::size_t kWindow = 32;
+  constexpr double kRounding = 1e-9;  // of the cost
+  std::vector<double> cost(path.size(), kInfinite);
+  std::vector<std::size_t> before(path.size(), 0);
+  cost[0] = 0.0;
+  for (std::size_t to = 1; to < path.size(); ++to) {
+    before[to] = to - 1;
+    cost[to] = cost[to - 1] + motion.cost(path[to - 1], path[to]);
+    // The longest first: as a rule it is the cheapest, and the shorter ones need no check then.
+    for (std::size_t from = to > kWindow ? to - kWindow : 0; from + 1 < to; ++from) {
+      const double reached = cost[from] + motion.cost(path[from], path[to]);
+      // A vertex that brings nothing but rounding is left out, and of shortcuts that are as good one is enough.
+      const double worth = before[to] + 1 == to ? 1.0 + kRounding : 1.0 - kRounding;
+      if (reached > worth * cost[to] || !motion.is_allowed(path[from], path[to])) continue;
+      cost[to] = reached;
+      before[to] = from;
+    }
+  }
+  PlanarPath shorter;
+  for (std::size_t at = path.size() - 1; at > 0; at = before[at]) shorter.push_back(path[at]);
+  shorter.push_back(path.front());
+  return {shorter.rbegin(), shorter.rend()};
+}
+
+// Moves a vertex by `step` where that lowers the cost the most; whether it did.
+bool move_vertex(PlanarPath& path, std::size_t i, const PlanarMotion& motion, double step) {
+  const Eigen::Vector2d along = (path[i + 1] - path[i - 1]).normalized() * step;
+  const Eigen::Vector2d across(-along.y(), along.x());
+  double least = motion.cost(path[i - 1], path[i]) + motion.cost(path[i], path[i + 1]);
+  const double enough = 1e-9 * least;
+  bool moved = false;
+  for (const Eigen::Vector2d& to : {PlanarPath::value_type(path[i] + across), PlanarPath::value_type(path[i] - across),
+                                    PlanarPath::value_type(path[i] + along), PlanarPath::value_type(path[i] - along)}) {
+    const double cost = motion.cost(path[i - 1], to) + motion.cost(to, path[i + 1]);
+    if (cost >= least - enough || !motion.is_allowed(path[i - 1], to) || !motion.is_allowed(to, path[i + 1])) continue;
+    least = cost;
+    path[i] = to;
+    moved = true;
+    break;
+  }
+  return moved;
+}
+
+// Each vertex moved by steps that halve where none helps.
+void relax(PlanarPath& path, const PlanarMotion& motion, double step) {
+  constexpr int kSweeps = 60;
+  const double finest = 1e-3 * step;
+  std::vector<double> steps(path.size(), step);
+  bool going_on = true;
+  for (int sweep = 0; sweep < kSweeps && going_on; ++sweep) {
+    going_on = false;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      if (steps[i] < finest) continue;
+      going_on = true;
+      steps[i] *= move_vertex(path, i, motion, steps[i]) ? 1.5 : 0.5;
+    }
+  }
+}
+
+}  // namespace
+
+double PlanarMotion::cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  return (to - from).norm() + weight * risk->integral({from.x(), from.y(), 0.0}, {to.x(), to.y(), 0.0});
+}
+
+bool PlanarMotion::is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  return clearance->is_clear(from, to, radius) && risk->is_drivable(from, to);
+}
+
+std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
+  const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius);
+  const GridGeometry& grid = lattice.geometry;
+  const std::vector<float> cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius);
+  std::vector<MarchingSeed> seeds;
+  visit_nodes_around(grid, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
+    if (std::isfinite(cost[node]) && motion.is_allowed(at, goal)) seeds.push_back({node, motion.cost(at, goal)});
+  });
+  const std::vector<double> to_go = fast_marching(grid, cost, seeds);
+  PlanarPath path{start};
+  double below = kInfinite;
+  const double in_reach = kStride * grid.resolution;
+  while (!((path.back() - goal).norm() <= in_reach && motion.is_allowed(path.back(), goal))) {
+    const Step step = best_step(grid, to_go, motion, path.back(), below);
+    if (step.cost == kInfinite) return std::nullopt;
+    below = step.to_go;
+    path.push_back(step.to);
+  }
+  path.push_back(goal);
+  return path;
+}
+
+PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {
+  path = with_shortcuts(path, motion);
+  // From coarse to fine, each as fine as the curves of the path may need.
+  for (const double spacing : {2.0, 1.0, 0.5, 0.25}) {
+    path = subdivided(path, spacing);
+    relax(path, motion, 0.25 * spacing);
+    path = with_shortcuts(path, motion);
+  }
+  return path;
+}
+
+PlanarPath subdivided(const PlanarPath& path, double spacing) {
+  PlanarPath finer{path.front()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const Eigen::Vector2d step = path[i] - path[i - 1];
+    const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / spacing)));
+    for (int piece = 1; piece < pieces; ++piece) finer.push_back(path[i - 1] + step * piece / pieces);
+    finer.push_back(path[i]);
+  }
+  return finer;
+}
+
+PlanarPath cut_within(PlanarPath path, double distance) {
+  const Eigen::Vector2d end = path.back();
+  for (std::size_t i = 0; i < path.size(); ++i) {
+    if ((path[i] - end).norm() > distance) continue;
+    path.resize(i + 1);
+    if (i == 0) return path;
+    // The first point of the last segment at that distance.
+    const Eigen::Vector2d step = path[i] - path[i - 1];
+    const Eigen::Vector2d from_end = path[i - 1] - end;
+    const double half_b = from_end.dot(step);
+    const double c = from_end.squaredNorm() - distance * distance;
+    const double root = std::sqrt(std::max(0.0, half_b * half_b - step.squaredNorm() * c));
+    path[i] = path[i - 1] + std::clamp((-half_b - root) / step.squaredNorm(), 0.0, 1.0) * step;
+    return path;
+  }
+  return path;
+}
+
+}  // namespace alignability

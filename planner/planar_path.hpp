@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "costmap/clearance_map.hpp"
+#include "costmap/risk_field.hpp"
+
+namespace alignability {
+
+/// What straight motions of a disk cost and where they are allowed, both exactly. Safe to use from many threads.
+struct PlanarMotion {
+  std::shared_ptr<const RiskField> risk;
+  std::shared_ptr<const ClearanceMap> clearance;
+  double weight = 0.0;  ///< of the risk, >= 0
+  double radius = 0.0;  ///< of the disk [m]
+
+  double cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  bool is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+};
+
+using PlanarPath = std::vector<Eigen::Vector2d>;
+
+/// The path down the optimal cost-to-go from a start to a goal, from node to node of the map's lattice, each motion allowed; near the
+/// optimum of all paths by as much as fast marching is. nullopt where none leads over nodes: gaps hardly wider than the disk may have
+/// none. Both places must be allowed themselves. O(cells).
+std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
+
+/// The path freed of the lattice: shortcuts, then vertices moved and added as long as that lowers the cost by the exact integral. Ends
+/// where it did, is allowed where the path was, never costs more.
+PlanarPath refined(PlanarPath path, const PlanarMotion& motion);
+
+/// The same way with vertices added, so that none is further from the next than `spacing` [m].
+PlanarPath subdivided(const PlanarPath& path, double spacing);
+
+/// The path up to where it first comes within a distance of its end [m].
+PlanarPath cut_within(PlanarPath path, double distance);
+
+}  // namespace alignability

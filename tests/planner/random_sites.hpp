@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <random>
+
+#include "planner/plan_problem.hpp"
+
+namespace alignability::test {
+
+/// A small site made of blocks and random alignability, some of it without a value, its α-cells' centres on no line of the map; start and
+/// goal are clear of obstacles, which does not mean that a path joins them. The same seed makes the same site.
+inline PlanProblem random_site(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  const auto share = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const double resolution = 0.07 + 0.1 * share();
+  Grid<float> occupancy({.resolution = resolution, .origin = {-3.0 + share(), 2.0 + share()}, .width = 60, .height = 45}, 0.0f);
+  for (int block = 0; block < 6; ++block) {
+    const int x0 = static_cast<int>(55 * share()), y0 = static_cast<int>(40 * share());
+    const int width = 2 + static_cast<int>(12 * share()), height = 2 + static_cast<int>(12 * share());
+    for (int y = y0; y < std::min(45, y0 + height); ++y) {
+      for (int x = x0; x < std::min(60, x0 + width); ++x) occupancy[Cell{x, y}] = 1.0f;
+    }
+  }
+  const GridGeometry site = occupancy.geometry();
+  Grid<float> alpha({.resolution = 1.0,
+                     .origin = site.origin,
+                     .width = static_cast<int>(std::ceil(site.extent().x())),
+                     .height = static_cast<int>(std::ceil(site.extent().y()))},
+                    0.0f);
+  for (std::size_t i = 0; i < alpha.values().size(); ++i) {
+    alpha[i] = share() < 0.1 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(0.6 * share());
+  }
+  PlanProblem problem{OccupancyMap(std::move(occupancy)), {}, {}};
+  problem.alignability.geometry = alpha.geometry();
+  problem.alignability.layers.push_back({"alpha", std::move(alpha)});
+  problem.query.robot.radius = 0.1 + 0.3 * share();
+  problem.query.weight = 8.0 * share();
+  const ClearanceMap clearance(problem.occupancy);
+  const auto place = [&]() -> Pose2 {
+    for (;;) {
+      const Eigen::Vector2d at = site.origin + site.extent().cwiseProduct(Eigen::Vector2d(share(), share()));
+      if (clearance.is_clear(at, problem.query.robot.radius)) return {at.x(), at.y(), 6.0 * share() - 3.0};
+    }
+  };
+  problem.query.start = place();
+  problem.query.goal = place();
+  return problem;
+}
+
+}  // namespace alignability::test
