@@ -277,7 +277,7 @@ TEST_F(Cli, GoesOnWhereItWasKilledAndEndsInTheSameBytes) {
   int killed = 0;
   int resumed = 0;
   for (int round = 0; round < 20; ++round) {
-    const double after = std::uniform_real_distribution<double>(0.0, 0.5 * lasts)(engine);
+    const double after = std::uniform_real_distribution<double>(0.0, 0.9 * lasts)(engine);
     const test::Outcome outcome = test::run_program(kMap, folder / "", test::Signal{.after = after, .number = SIGKILL});
     killed += outcome.exit_code == 128 + SIGKILL ? 1 : 0;
     resumed += outcome.err.find("cells are there; going on from them") != std::string::npos ? 1 : 0;
