@@ -7,8 +7,8 @@
 #include <bit>
 #include <cmath>
 
-#include "tests/core/temporary_folder.hpp"
 #include "tests/alignability/simulated.hpp"
+#include "tests/core/temporary_folder.hpp"
 #include "tests/costmap/ascii_map.hpp"
 
 namespace alignability {
