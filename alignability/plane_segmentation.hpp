@@ -13,7 +13,7 @@ namespace alignability {
 
 /// Who segments. Both search the same neighbours and grow the same segments; docs/design.md says how far the results differ.
 enum class Engine {
-  native,  ///< our own, an order of magnitude faster
+  native,  ///< our own, in an eighth of the time
   pcl,     ///< NormalEstimation and RegionGrowing of the Point Cloud Library, the reference
 };
 
