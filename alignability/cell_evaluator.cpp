@@ -5,20 +5,13 @@
 #include <algorithm>
 #include <random>
 
+#include "core/distribution.hpp"
 #include "lidar/simulate_scan.hpp"
 
 namespace alignability::detail {
 namespace {
 
 constexpr int kMostDraws = 20;
-
-// The quantile of sorted values, linear between neighbours; q = 0.5 is the median.
-double quantile(const std::vector<double>& sorted, double q) {
-  const double at = q * static_cast<double>(sorted.size() - 1);
-  const auto below = static_cast<std::size_t>(at);
-  const std::size_t above = std::min(below + 1, sorted.size() - 1);
-  return sorted[below] + (at - static_cast<double>(below)) * (sorted[above] - sorted[below]);
-}
 
 CellValue summary(std::vector<Alignability> scores, const Eigen::Matrix3d& R_map_lidar) {
   CellValue value;

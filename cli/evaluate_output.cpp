@@ -51,14 +51,6 @@ Json edge_json(const EdgeEvaluation& evaluated, const RouteGraph& graph, const P
   return json;
 }
 
-void print_way(const WayEvaluation& way) {
-  const PathFigures& figures = way.figures;
-  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n%-20s %9.2f m\n", "cost", way.cost, "length", figures.length, "risk integral",
-              figures.risk_integral);
-  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "blind", figures.blind_length, "longest blind", figures.longest_blind);
-  std::printf("%-20s %9.3f\n%-20s %9.3f\n", "alpha, mean", figures.alpha_mean, "alpha, least", figures.alpha_min);
-}
-
 void print_row(const std::string& name, int width, const WayEvaluation& way) {
   const PathFigures& figures = way.figures;
   std::printf("%-*s %9.2f m %9.2f m %9.2f m %9.2f m %7.3f %7.3f", width, name.c_str(), figures.length, figures.blind_length,
@@ -142,7 +134,8 @@ void print_evaluation(const EvaluatedRoute& evaluated) {
   if (evaluated.route.path.empty()) {
     print_edges(evaluated);
   } else {
-    print_way(evaluated.evaluation.total);
+    std::printf("%-20s %9.2f m\n", "cost", evaluated.evaluation.total.cost);
+    print_figures(evaluated.evaluation.total.figures);
   }
 }
 

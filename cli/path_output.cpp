@@ -51,6 +51,12 @@ void write_path_csv(const PlanResult& result, const RiskField& risk, const std::
   write_file(csv, text);
 }
 
+void print_figures(const PathFigures& figures) {
+  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "length", figures.length, "risk integral", figures.risk_integral);
+  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "blind", figures.blind_length, "longest blind", figures.longest_blind);
+  std::printf("%-20s %9.3f\n%-20s %9.3f\n", "alpha, mean", figures.alpha_mean, "alpha, least", figures.alpha_min);
+}
+
 DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::string& name, Colour colour, LineStyle style) {
   char figures[64];
   std::snprintf(figures, sizeof figures, ": %.1f m, %.1f m blind", result.figures.length, result.figures.blind_length);

@@ -12,6 +12,9 @@ namespace alignability::cli {
 /// x,y,yaw,s,alpha,risk: the path's own poses and others between, at most 10 cm apart.
 void write_path_csv(const PlanResult& result, const RiskField& risk, const std::filesystem::path& csv);
 
+/// What a path is worth, a line each, from the length on.
+void print_figures(const PathFigures& figures);
+
 /// The path as a picture shows it, its figures in the label.
 DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::string& name, Colour colour, LineStyle style);
 

@@ -35,13 +35,10 @@ double percent_above(const PlanResult& result) {
   return result.cost > bound ? 100.0 * (result.cost / bound - 1.0) : 0.0;
 }
 
-void print_figures(const PlanResult& result) {
-  const PathFigures& figures = result.figures;
+void print_result(const PlanResult& result) {
   std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
   std::printf("%-20s %9.2f m, at most %.1f %% above the optimum\n", "cost", result.cost, percent_above(result));
-  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "length", figures.length, "risk integral", figures.risk_integral);
-  std::printf("%-20s %9.2f m\n%-20s %9.2f m\n", "blind", figures.blind_length, "longest blind", figures.longest_blind);
-  std::printf("%-20s %9.3f\n%-20s %9.3f\n", "alpha, mean", figures.alpha_mean, "alpha, least", figures.alpha_min);
+  print_figures(result.figures);
 }
 
 int run(const Options& options) {
@@ -53,7 +50,7 @@ int run(const Options& options) {
   if (options.output) write_files(problem, *fields.risk, result, output_name(*options.output));
   if (options.json) print({plan_json(result)});
   if (result.status != PlanStatus::solved) return say_no(options.problem.file, result);
-  if (!options.json) print_figures(result);
+  if (!options.json) print_result(result);
   return kYes;
 }
 

@@ -15,7 +15,7 @@ struct Progress {
 /// Called as long work goes on, never by two threads at once; not necessarily by the thread that started the work.
 using ProgressCallback = std::function<void(Progress)>;
 
-/// Thrown by long work whose stop token was triggered: there is no result, and no file was touched.
+/// Thrown by long work whose stop token was triggered: there is no result, and no file was touched but the checkpoint that was asked for.
 class Interrupted : public std::exception {
  public:
   const char* what() const noexcept override { return "interrupted"; }

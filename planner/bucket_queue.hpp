@@ -23,10 +23,10 @@ class BucketQueue {
     ++count_;
   }
 
-  /// Calls `visit(node)` until the queue is empty, or the keys have passed `limit()`, asked anew for each bucket.
-  template <typename Visit, typename Limit>
-  void drain(Visit visit, Limit limit) {
-    for (; count_ > 0 && static_cast<double>(turn_) * width_ <= limit(); ++turn_) {
+  /// Calls `visit(node)` until the queue is empty.
+  template <typename Visit>
+  void drain(Visit visit) {
+    for (; count_ > 0; ++turn_) {
       std::vector<std::uint32_t>& bucket = buckets_[turn_ % buckets_.size()];
       for (std::size_t i = 0; i < bucket.size(); ++i) {
         const std::uint32_t node = bucket[i];

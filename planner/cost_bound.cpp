@@ -86,18 +86,16 @@ std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<
     way[to] = reached;
     queue.push(to, reached);
   };
-  queue.drain(
-      [&](std::size_t node) {
-        const float high_right = factor[node];
-        const float high_left = factor[node - 1];
-        const float low_right = factor[node - row];
-        const float low_left = factor[node - row - 1];
-        improve(node, node + 1, std::min(high_right, low_right));
-        improve(node, node - 1, std::min(high_left, low_left));
-        improve(node, node + row, std::min(high_right, high_left));
-        improve(node, node - row, std::min(low_right, low_left));
-      },
-      [] { return kInfinite; });
+  queue.drain([&](std::size_t node) {
+    const float high_right = factor[node];
+    const float high_left = factor[node - 1];
+    const float low_right = factor[node - row];
+    const float low_left = factor[node - row - 1];
+    improve(node, node + 1, std::min(high_right, low_right));
+    improve(node, node - 1, std::min(high_left, low_left));
+    improve(node, node + row, std::min(high_right, high_left));
+    improve(node, node - row, std::min(low_right, low_left));
+  });
   return way;
 }
 

@@ -113,8 +113,7 @@ double dearest(std::span<const float> cost) {
   return static_cast<double>(most);
 }
 
-std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
-                                  std::optional<std::size_t> last) {
+std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const double step = geometry.resolution;
   const auto row = static_cast<std::size_t>(geometry.width);
@@ -141,11 +140,9 @@ std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const 
     to[node] = reached;
     queue.push(node, reached);
   };
-  queue.drain(
-      [&](std::size_t node) {
-        for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) update(next);
-      },
-      [&] { return last ? to[*last] : kInfinite; });
+  queue.drain([&](std::size_t node) {
+    for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) update(next);
+  });
   return to;
 }
 

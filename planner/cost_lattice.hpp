@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <optional>
 #include <span>
 #include <vector>
 
@@ -40,9 +39,7 @@ struct MarchingSeed {
 };
 
 /// The cost of getting to each node from the seeds, by fast marching (Sethian 1996; Godunov's upwind differences, first order): near the
-/// optimum, as a rule above it, no bound of it. Infinite where nothing leads, and beyond `last`, where the marching stops. `cost` has a
-/// ring of infinite values. O(nodes).
-std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
-                                  std::optional<std::size_t> last = std::nullopt);
+/// optimum, as a rule above it, no bound of it. Infinite where nothing leads. `cost` has a ring of infinite values. O(nodes).
+std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds);
 
 }  // namespace alignability

@@ -2,12 +2,12 @@
 #include "planner/field_planner.hpp"
 
 #include <ompl/base/SpaceInformation.h>
-#include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/util/Exception.h>
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
 #include "planner/heading_search.hpp"
+#include "planner/planners.hpp"
 #include "planner/pose_goal.hpp"
 #include "planner/poses.hpp"
 
@@ -71,12 +71,6 @@ PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformatio
   return path->check() ? path : nullptr;
 }
 
-double cost_of(const og::PathGeometric& path, const AlignabilityObjective& objective) {
-  double cost = 0.0;
-  for (std::size_t i = 1; i < path.getStateCount(); ++i) cost += objective.motionCost(path.getState(i - 1), path.getState(i)).value();
-  return cost;
-}
-
 const DrivabilityChecker* checker_of(const ob::SpaceInformationPtr& si) {
   return dynamic_cast<const DrivabilityChecker*>(si->getStateValidityChecker().get());
 }
@@ -109,19 +103,20 @@ ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& unt
   if (goal == nullptr) return ob::PlannerStatus::INVALID_GOAL;
   const auto* region = dynamic_cast<const PoseGoal*>(pdef_->getGoal().get());
   const AlignabilityObjective& objective = *objective_of(pdef_);
+  const ob::OptimizationObjectivePtr& shared = pdef_->getOptimizationObjective();
   const Task task{checker_of(si_)->area(), objective, objective.pose_of(start), objective.pose_of(goal),
                   region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance()};
   for (const double radius : radii(task.area)) {
     if (until) break;
     const PathPtr path = path_for_disk(task, radius, si_);
-    if (path && (!path_ || cost_of(*path, objective) < cost_of(*path_, objective))) path_ = path;
+    if (path && (!path_ || path->cost(shared).value() < path_->cost(shared).value())) path_ = path;
   }
   return path_ ? add_path() : search_on(until);
 }
 
 ob::PlannerStatus FieldPlanner::add_path() const {
   const auto objective = pdef_->getOptimizationObjective();
-  const ob::Cost cost(cost_of(*path_, *objective_of(pdef_)));
+  const ob::Cost cost = path_->cost(objective);
   if (const auto& report = pdef_->getIntermediateSolutionCallback()) {
     report(this, {path_->getStates().begin(), path_->getStates().end()}, cost);
   }
@@ -134,8 +129,7 @@ ob::PlannerStatus FieldPlanner::add_path() const {
 
 ob::PlannerStatus FieldPlanner::search_on(const ob::PlannerTerminationCondition& until) {
   if (!search_) {
-    // It warns of any other name, since it joins k-nearest neighbours.
-    search_ = std::make_shared<og::BITstar>(si_, "kBITstar");
+    search_ = make_planner({.name = "bitstar"}, si_);
     search_->setProblemDefinition(pdef_);
     search_->setup();
   }

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "alignability/alignability.hpp"
+#include "core/distribution.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
 #include "lidar/scene.hpp"
@@ -105,9 +106,9 @@ double spearman(const std::vector<double>& a, const std::vector<double>& b) {
   return 1.0 - 6.0 * sum / (n * (n * n - 1.0));
 }
 
-double quantile(std::vector<double> values, double share) {
+double quantile_of(std::vector<double> values, double share) {
   std::ranges::sort(values);
-  return values[static_cast<std::size_t>(share * static_cast<double>(values.size() - 1))];
+  return quantile(values, share);
 }
 
 template <typename Value>
@@ -120,16 +121,17 @@ std::vector<double> each(const std::vector<Row>& rows, Value value) {
 void print(const std::string& what, const std::vector<Row>& rows) {
   const auto alpha = [&](auto member) { return each(rows, [&](const Row& row) { return (row.*member).alpha; }); };
   const auto median_ms = [&](auto member) {
-    return 1e3 * quantile(each(rows, [&](const Row& row) { return (row.*member).seconds; }), 0.5);
+    return 1e3 * quantile_of(each(rows, [&](const Row& row) { return (row.*member).seconds; }), 0.5);
   };
   const auto off = [&](auto member, double share) {
-    return quantile(each(rows, [&](const Row& row) { return std::abs((row.*member).alpha - row.pcl.alpha); }), share);
+    return quantile_of(each(rows, [&](const Row& row) { return std::abs((row.*member).alpha - row.pcl.alpha); }), share);
   };
   const std::vector<double> own = each(rows, [](const Row& row) { return row.own_spread; });
   const auto within = std::ranges::count_if(
       rows, [](const Row& row) { return std::abs(row.native.alpha - row.pcl.alpha) <= std::max(0.005, row.own_spread); });
   std::printf("%s: %zu scans\n", what.c_str(), rows.size());
-  std::printf("  PCL's own spread   median %.5f, 99 %% %.5f, max %.5f\n", quantile(own, 0.5), quantile(own, 0.99), quantile(own, 1.0));
+  std::printf("  PCL's own spread   median %.5f, 99 %% %.5f, max %.5f\n", quantile_of(own, 0.5), quantile_of(own, 0.99),
+              quantile_of(own, 1.0));
   std::printf("  native off PCL     median %.5f, 99 %% %.5f, max %.5f; within max(0.005, own) %.1f %%; Spearman %.5f\n",
               off(&Row::native, 0.5), off(&Row::native, 0.99), off(&Row::native, 1.0),
               100.0 * static_cast<double>(within) / static_cast<double>(rows.size()), spearman(alpha(&Row::native), alpha(&Row::pcl)));

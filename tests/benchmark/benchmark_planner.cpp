@@ -21,6 +21,7 @@
 #include "planner/plan.hpp"
 #include "planner/pose_goal.hpp"
 #include "tests/benchmark/grid_search.hpp"
+#include "tests/planner/random_sites.hpp"
 
 namespace {
 
@@ -209,21 +210,6 @@ void print_queries(const Site& site) {
               ours / stock);
 }
 
-AlignabilityMap random_alignability(const GridGeometry& site, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
-  Grid<float> alpha({.resolution = 1.0,
-                     .origin = site.origin,
-                     .width = static_cast<int>(std::ceil(site.extent().x())),
-                     .height = static_cast<int>(std::ceil(site.extent().y()))},
-                    0.0f);
-  for (std::size_t i = 0; i < alpha.values().size(); ++i) alpha[i] = uniform(engine);
-  AlignabilityMap map;
-  map.geometry = alpha.geometry();
-  map.layers.push_back({"alpha", std::move(alpha)});
-  return map;
-}
-
 }  // namespace
 
 int main(int argc, char** argv) {
@@ -232,7 +218,7 @@ int main(int argc, char** argv) {
   sites.push_back(std::make_unique<Site>("the shipped warehouse", load_problem(read_problem_file("maps/warehouse/problem.yaml"))));
   if (argc > 1) {  // nav2's warehouse.yaml
     PlanProblem nav2{read_occupancy_map(argv[1]), {}, {}};
-    nav2.alignability = random_alignability(nav2.occupancy.geometry(), 1);
+    nav2.alignability = test::random_alignability(nav2.occupancy.geometry(), 1);
     nav2.query.robot.radius = 0.3;
     nav2.query.start = {-5.0, -20.0, 0.0};
     nav2.query.goal = {8.3, 18.0, 0.0};

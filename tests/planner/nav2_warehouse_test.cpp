@@ -8,30 +8,16 @@
 #include "planner/plan.hpp"
 #include "planner/planners.hpp"
 #include "tests/planner/patience.hpp"
+#include "tests/planner/random_sites.hpp"
 #include "tests/shared_data.hpp"
 
 namespace alignability {
 namespace {
 
-AlignabilityMap random_alignability(const GridGeometry& site, std::uint64_t seed) {
-  std::mt19937_64 engine(seed);
-  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
-  Grid<float> alpha({.resolution = 1.0,
-                     .origin = site.origin,
-                     .width = static_cast<int>(std::ceil(site.extent().x())),
-                     .height = static_cast<int>(std::ceil(site.extent().y()))},
-                    0.0f);
-  for (std::size_t i = 0; i < alpha.values().size(); ++i) alpha[i] = uniform(engine);
-  AlignabilityMap map;
-  map.geometry = alpha.geometry();
-  map.layers.push_back({"alpha", std::move(alpha)});
-  return map;
-}
-
 TEST(Nav2Warehouse, PlannersGetFromOneEndToTheOther) {
   ALIGNABILITY_REQUIRE_SHARED_DATA(yaml, "maps/nav2/warehouse.yaml");
   PlanProblem problem{read_occupancy_map(yaml), {}, {}};
-  problem.alignability = random_alignability(problem.occupancy.geometry(), 1);
+  problem.alignability = test::random_alignability(problem.occupancy.geometry(), 1);
   problem.query.robot.radius = 0.3;
   const ClearanceMap clearance(problem.occupancy);
   std::mt19937_64 engine(2);

@@ -7,6 +7,27 @@
 
 namespace alignability::test {
 
+/// α-cells of 1 m over a site, the value of each drawn in turn.
+template <typename Draw>
+AlignabilityMap alignability_by_metre(const GridGeometry& site, Draw draw) {
+  Grid<float> alpha({.resolution = 1.0,
+                     .origin = site.origin,
+                     .width = static_cast<int>(std::ceil(site.extent().x())),
+                     .height = static_cast<int>(std::ceil(site.extent().y()))},
+                    0.0f);
+  for (std::size_t i = 0; i < alpha.values().size(); ++i) alpha[i] = draw();
+  AlignabilityMap map;
+  map.geometry = alpha.geometry();
+  map.layers.push_back({"alpha", std::move(alpha)});
+  return map;
+}
+
+inline AlignabilityMap random_alignability(const GridGeometry& site, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  return alignability_by_metre(site, [&] { return uniform(engine); });
+}
+
 /// A small site made of blocks and random alignability, some of it without a value, its α-cells' centres on no line of the map; start and
 /// goal are clear of obstacles, which does not mean that a path joins them. The same seed makes the same site.
 inline PlanProblem random_site(std::uint64_t seed) {
@@ -22,17 +43,9 @@ inline PlanProblem random_site(std::uint64_t seed) {
     }
   }
   const GridGeometry site = occupancy.geometry();
-  Grid<float> alpha({.resolution = 1.0,
-                     .origin = site.origin,
-                     .width = static_cast<int>(std::ceil(site.extent().x())),
-                     .height = static_cast<int>(std::ceil(site.extent().y()))},
-                    0.0f);
-  for (std::size_t i = 0; i < alpha.values().size(); ++i) {
-    alpha[i] = share() < 0.1 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(0.6 * share());
-  }
   PlanProblem problem{OccupancyMap(std::move(occupancy)), {}, {}};
-  problem.alignability.geometry = alpha.geometry();
-  problem.alignability.layers.push_back({"alpha", std::move(alpha)});
+  problem.alignability = alignability_by_metre(
+      site, [&] { return share() < 0.1 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(0.6 * share()); });
   problem.query.robot.radius = 0.1 + 0.3 * share();
   problem.query.weight = 8.0 * share();
   const ClearanceMap clearance(problem.occupancy);
