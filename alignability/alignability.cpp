@@ -43,7 +43,8 @@ void set_moment(ScoredScan& scored, const NormalSums& sums, Moment moment) {
 class Scorer::Implementation {
  public:
   explicit Implementation(const AlignabilityOptions& options) : options_(options) {
-    if (options.segmentation.stride < 1) throw std::invalid_argument("the stride must be at least 1");
+    if (options.segmentation.stride < 1 || options.segmentation.stride > kMostStride)
+      throw std::invalid_argument("the stride must be 1 to 4");
     if (options.segmentation.stride > 1 && options.segmentation.engine == Engine::pcl) {
       throw std::invalid_argument("the engine pcl knows no stride");
     }

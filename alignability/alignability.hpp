@@ -45,7 +45,8 @@ struct ScoredScan {
 };
 
 /// Scores scan after scan without asking for memory anew. One a thread; what it has scored before changes nothing.
-/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride below 1, or one with PCL.
+/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride that is
+/// not from 1 to kMostStride, or more than 1 with PCL.
 class Scorer {
  public:
   explicit Scorer(const AlignabilityOptions& options);

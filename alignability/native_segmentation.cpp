@@ -1,11 +1,22 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <limits>
 
+#include "alignability/normal_kernel.hpp"
 #include "alignability/segmentation_engines.hpp"
 
 namespace alignability::detail {
+namespace {
+
+constexpr std::size_t kLanes = NearestPoints::kQueries;
+constexpr std::int32_t kBlock = PointBlocks::kBlock;
+
+// Voters farther apart than this share of their range, squared, lie on other surfaces: they have few neighbours in common.
+constexpr float kJump2 = 0.1f * 0.1f;
+
+}  // namespace
 
 const Segmentation& NativeSegmenter::segment(const Scan& scan, const SegmentationOptions& options) {
   blocks_.assign(scan, options.range_min);
@@ -15,69 +26,92 @@ const Segmentation& NativeSegmenter::segment(const Scan& scan, const Segmentatio
   result_.ends.clear();
   if (blocks_.points() < static_cast<std::size_t>(std::max(options.min_points, 3))) return result_;
 
+  find_voters(scan, options.stride);
   estimate(scan, options);
-  grower_.grow(graph_, {.cosine = static_cast<float>(std::cos(options.smoothness)),
+  // From a point to the next noise turns the normal at random, over a stride by as much more as a random walk leads away.
+  const double smoothness = std::sqrt(static_cast<double>(options.stride)) * options.smoothness;
+  grower_.grow(graph_, {.cosine = static_cast<float>(std::cos(smoothness)),
                         .curvature = static_cast<float>(options.curvature),
                         .min_points = (options.min_points + options.stride - 1) / options.stride});
-  for (const std::int32_t voter : grower_.members()) {
-    const auto slot = static_cast<std::size_t>(slot_of_voter_[static_cast<std::size_t>(voter)]);
-    result_.members.push_back(blocks_.scan_index()[slot]);
-  }
+  for (const std::int32_t slot : grower_.members()) result_.members.push_back(blocks_.scan_index()[static_cast<std::size_t>(slot)]);
   result_.ends = grower_.ends();
   return result_;
 }
 
-// Normals and links of every point that votes.
-void NativeSegmenter::estimate(const Scan& scan, const SegmentationOptions& options) {
-  number_voters(scan, options.stride);
-  const int points = static_cast<int>(blocks_.points());
-  const int neighbours = std::min(options.normal_neighbours, points);
-  graph_.most_links = options.stride == 1 ? std::min(options.growing_neighbours, points) : neighbours;
-  graph_.normals.resize(slot_of_voter_.size());
-  graph_.links.resize(slot_of_voter_.size() * static_cast<std::size_t>(graph_.most_links));
-  graph_.links_of.resize(slot_of_voter_.size());
-  batch_.begin(neighbours);
-  nearest_.assign(blocks_);
-  for (std::size_t voter = 0; voter < slot_of_voter_.size(); ++voter) {
-    const auto found = nearest_.search(slot_of_voter_[voter], std::max(neighbours, graph_.most_links));
-    link(voter, found.first(static_cast<std::size_t>(graph_.most_links)));
-    if (batch_.add(blocks_, slot_of_voter_[voter], found.first(static_cast<std::size_t>(neighbours)))) take_normals(scan);
-  }
-  take_normals(scan);
-}
-
-void NativeSegmenter::number_voters(const Scan& scan, int stride) {
+void NativeSegmenter::find_voters(const Scan& scan, int stride) {
   const std::vector<std::int32_t>& index = blocks_.scan_index();
-  slot_of_voter_.clear();
-  voter_of_slot_.assign(index.size(), -1);
+  graph_.points.assign(static_cast<std::size_t>(blocks_.blocks()) + 1, 0);
   for (std::size_t slot = 0; slot < index.size(); ++slot) {
     if (index[slot] < 0) continue;
     const int place = scan.organized() ? index[slot] % scan.columns : static_cast<int>(slot);
-    if (place % stride != 0) continue;
-    voter_of_slot_[slot] = static_cast<std::int32_t>(slot_of_voter_.size());
-    slot_of_voter_.push_back(static_cast<std::int32_t>(slot));
+    if (place % stride == 0) graph_.points[slot / kBlock] |= static_cast<std::uint8_t>(1U << slot % kBlock);
   }
 }
 
-void NativeSegmenter::link(std::size_t voter, std::span<const std::int32_t> nearest) {
-  std::int32_t* links = graph_.links.data() + voter * static_cast<std::size_t>(graph_.most_links);
-  std::int32_t count = 0;
-  for (const std::int32_t slot : nearest) {
-    const std::int32_t other = voter_of_slot_[static_cast<std::size_t>(slot)];
-    links[count] = other;
-    count += other >= 0 ? 1 : 0;
+// Normals and links of every point that votes.
+void NativeSegmenter::estimate(const Scan& scan, const SegmentationOptions& options) {
+  graph_.normals.resize(blocks_.scan_index().size());
+  graph_.links.resize(blocks_.scan_index().size());
+  graph_.blocks.clear();
+  graph_.bits.clear();
+  nearest_.assign(blocks_);
+  Group group;
+  const auto point = [&](std::int32_t slot) -> const Eigen::Vector3f& {
+    return scan.points[static_cast<std::size_t>(blocks_.scan_index()[static_cast<std::size_t>(slot)])];
+  };
+  for (std::int32_t block = 0; block < blocks_.blocks(); ++block) {
+    for (unsigned voters = graph_.points[static_cast<std::size_t>(block)]; voters != 0; voters &= voters - 1) {
+      const std::int32_t slot = kBlock * block + std::countr_zero(voters);
+      if (group.size > 0) {
+        const Eigen::Vector3f& before = point(group.slots[group.size - 1]);
+        if ((point(slot) - before).squaredNorm() > kJump2 * before.squaredNorm()) finish(group, scan, options);
+      }
+      group.slots[group.size++] = slot;
+      if (group.size == kLanes) finish(group, scan, options);
+    }
+    if (options.stride == 1) finish(group, scan, options);
   }
-  graph_.links_of[voter] = count;
+  finish(group, scan, options);
 }
 
-void NativeSegmenter::take_normals(const Scan& scan) {
-  for (const NormalBatch::Estimate& estimate : batch_.finish()) {
-    const auto slot = static_cast<std::size_t>(estimate.slot);
+void NativeSegmenter::finish(Group& group, const Scan& scan, const SegmentationOptions& options) {
+  if (group.size == 0) return;
+  const int points = static_cast<int>(blocks_.points());
+  const int neighbours = std::min(options.normal_neighbours, points);
+  const int links = std::min(options.growing_neighbours, points);
+  nearest_.search(group.voters(), std::max(neighbours, links));
+  if (links > neighbours) link(group);
+  if (links > neighbours) nearest_.narrow(neighbours);
+  take_normals(group, scan, neighbours);
+  if (links < neighbours) nearest_.narrow(links);
+  if (links <= neighbours) link(group);
+  group.size = 0;
+}
+
+void NativeSegmenter::link(const Group& group) {
+  const auto first = static_cast<std::uint32_t>(graph_.bits.size() / kLanes);
+  const auto words = static_cast<std::uint32_t>(nearest_.nearest().size() / kLanes);
+  graph_.blocks.insert(graph_.blocks.end(), nearest_.blocks().begin(), nearest_.blocks().end());
+  graph_.bits.insert(graph_.bits.end(), nearest_.nearest().begin(), nearest_.nearest().end());
+  for (std::uint32_t lane = 0; lane < group.size; ++lane) graph_.links[static_cast<std::size_t>(group.slots[lane])] = {first, words, lane};
+}
+
+void NativeSegmenter::take_normals(const Group& group, const Scan& scan, int neighbours) {
+  std::array<float, 3 * kLanes> normals;
+  std::array<float, kLanes> curvatures;
+  estimate_normals({.coordinates = blocks_.coordinates().data(),
+                    .centers = nearest_.queries().data(),
+                    .blocks = nearest_.blocks(),
+                    .nearest = nearest_.nearest(),
+                    .points = neighbours},
+                   normals.data(), curvatures.data());
+  for (std::size_t lane = 0; lane < group.size; ++lane) {
+    const auto slot = static_cast<std::size_t>(group.slots[lane]);
     const auto i = static_cast<std::size_t>(blocks_.scan_index()[slot]);
-    Eigen::Vector3f normal(estimate.normal[0], estimate.normal[1], estimate.normal[2]);
+    Eigen::Vector3f normal(normals[lane], normals[kLanes + lane], normals[2 * kLanes + lane]);
     if (normal.dot(scan.points[i]) > 0.0f) normal = -normal;
     result_.normals[i] = normal;
-    graph_.normals[static_cast<std::size_t>(voter_of_slot_[slot])] = {normal.x(), normal.y(), normal.z(), estimate.curvature};
+    graph_.normals[slot] = {normal.x(), normal.y(), normal.z(), curvatures[lane]};
   }
 }
 

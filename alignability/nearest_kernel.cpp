@@ -14,7 +14,7 @@ namespace {
 
 ALIGNABILITY_INLINE Floats above_zero(Floats values) { return values > 0.0f ? values : Floats{}; }
 
-// Rounded alike in near_slots: no point is nearer than its box.
+// Rounded alike in find_distances2: no point is nearer than its box.
 ALIGNABILITY_INLINE Floats box_distances2(const RawBoxes& boxes, int first, const RawBox& query) {
   Floats sum = {};
   for (int axis = 0; axis < 3; ++axis) {
@@ -25,25 +25,68 @@ ALIGNABILITY_INLINE Floats box_distances2(const RawBoxes& boxes, int first, cons
   return sum;
 }
 
-ALIGNABILITY_INLINE Floats point_distances2(const float* block, const float* point) {
-  Floats sum = {};
-  for (int axis = 0; axis < 3; ++axis) {
-    const Floats difference = load(block + kLanes * axis) - point[axis];
-    sum += difference * difference;
+ALIGNABILITY_INLINE void find_distances2(const float* coordinates, const std::int32_t* blocks, int count, const float* queries,
+                                         float* distances2) {
+  const Floats x = load(queries);
+  const Floats y = load(queries + kLanes);
+  const Floats z = load(queries + 2 * kLanes);
+  for (int b = 0; b < count; ++b) {
+    const float* block = coordinates + 3 * kLanes * blocks[b];
+    for (int slot = 0; slot < kLanes; ++slot, distances2 += kLanes) {
+      const Floats dx = block[slot] - x;
+      const Floats dy = block[kLanes + slot] - y;
+      const Floats dz = block[2 * kLanes + slot] - z;
+      store(distances2, dx * dx + dy * dy + dz * dz);
+    }
   }
-  return sum;
 }
 
-ALIGNABILITY_INLINE void rank_all(const float* values, int count, std::int32_t* ranks) {
-  constexpr Ints kLane = {0, 1, 2, 3, 4, 5, 6, 7};
-  for (int i = 0; i < count; i += kLanes) {
-    const Floats mine = load(values + i);
-    Ints before = {};
-    for (int j = 0; j < i; ++j) before -= values[j] <= mine;
-    for (int j = 0; j < kLanes; ++j) before -= (values[i + j] < mine) | ((values[i + j] == mine) & (kLane > j));
-    for (int j = i + kLanes; j < count; ++j) before -= values[j] < mine;
-    store(ranks + i, before);
+ALIGNABILITY_INLINE Ints count_within(const float* distances2, int count, Floats bounds) {
+  Ints even = {};
+  Ints odd = {};
+  for (int i = 0; i < count; i += 2) {
+    even -= load(distances2 + kLanes * i) <= bounds;
+    odd -= load(distances2 + kLanes * (i + 1)) <= bounds;
   }
+  return even + odd;
+}
+
+ALIGNABILITY_INLINE bool any(Ints lanes) {
+  std::int32_t sum = 0;
+  for (int lane = 0; lane < kLanes; ++lane) sum |= lanes[lane];
+  return sum != 0;
+}
+
+// Points on a surface lie within a squared distance in proportion to it, so bounds are sought by interpolation; by halves in turn, for
+// where they do not.
+ALIGNABILITY_INLINE bool select_all(const float* distances2, int count, int wanted, float* bounds, std::int32_t* found,
+                                    std::uint32_t* bits) {
+  constexpr int kPasses = 10;
+  Floats low = {};
+  Ints within_low = {};
+  Floats high = load(bounds);
+  Ints within_high = count_within(distances2, count, high);
+  if (any(within_high < wanted)) return false;
+  for (int pass = 0; pass < kPasses && any(within_high != wanted); ++pass) {
+    const Floats share =
+        pass % 2 == 0 ? __builtin_convertvector(wanted - within_low, Floats) / __builtin_convertvector(within_high - within_low, Floats)
+                      : Floats{} + 0.5f;
+    const Floats middle = low + share * (high - low);
+    const Ints within = count_within(distances2, count, middle);
+    const Ints enough = within >= wanted;
+    high = enough ? middle : high;
+    within_high = enough ? within : within_high;
+    low = enough ? low : middle;
+    within_low = enough ? within_low : within;
+  }
+  store(bounds, high);
+  store(found, within_high);
+  for (int first = 0; first < count; first += 32, bits += kLanes) {
+    Ints word = {};
+    for (int b = 0; b < 32; ++b) word |= (load(distances2 + kLanes * (first + b)) <= high) & static_cast<std::int32_t>(1U << b);
+    __builtin_memcpy(bits, &word, sizeof word);
+  }
+  return true;
 }
 
 int near_children(const RawBoxes& boxes, const std::int32_t* nodes, int count, const RawBox& query, float radius2, std::int32_t* near) {
@@ -59,23 +102,13 @@ int near_children(const RawBoxes& boxes, const std::int32_t* nodes, int count, c
   return found;
 }
 
-int near_slots(const float* coordinates, const std::int32_t* blocks, int count, const float* point, float radius2, std::int32_t* slots,
-               float* distances2) {
-  int found = 0;
-  for (int b = 0; b < count; ++b) {
-    const int first = kLanes * blocks[b];
-    const Floats distance2 = point_distances2(coordinates + 3 * first, point);
-    const Ints is_near = distance2 <= radius2;
-    for (int lane = 0; lane < kLanes; ++lane) {
-      slots[found] = first + lane;
-      distances2[found] = distance2[lane];
-      found -= is_near[lane];
-    }
-  }
-  return found;
+void distances2(const float* coordinates, const std::int32_t* blocks, int count, const float* queries, float* to) {
+  find_distances2(coordinates, blocks, count, queries, to);
 }
 
-void rank(const float* values, int count, std::int32_t* ranks) { rank_all(values, count, ranks); }
+bool select(const float* distances2, int count, int wanted, float* bounds, std::int32_t* found, std::uint32_t* bits) {
+  return select_all(distances2, count, wanted, bounds, found, bits);
+}
 
 #if defined(__x86_64__)
 
@@ -107,36 +140,27 @@ ALIGNABILITY_AVX2 int near_children_avx2(const RawBoxes& boxes, const std::int32
   return found;
 }
 
-ALIGNABILITY_AVX2 int near_slots_avx2(const float* coordinates, const std::int32_t* blocks, int count, const float* point, float radius2,
-                                      std::int32_t* slots, float* distances2) {
-  int found = 0;
-  for (int b = 0; b < count; ++b) {
-    const int first = kLanes * blocks[b];
-    const Floats distance2 = point_distances2(coordinates + 3 * first, point);
-    const auto set = static_cast<unsigned>(_mm256_movemask_ps((__m256)(distance2 <= radius2)));
-    Ints packed;
-    __builtin_memcpy(&packed, kPacked[set].data(), sizeof packed);
-    store(slots + found, packed + first);
-    store(distances2 + found, (Floats)_mm256_permutevar8x32_ps((__m256)distance2, (__m256i)packed));
-    found += __builtin_popcount(set);
-  }
-  return found;
+ALIGNABILITY_AVX2 void distances2_avx2(const float* coordinates, const std::int32_t* blocks, int count, const float* queries, float* to) {
+  find_distances2(coordinates, blocks, count, queries, to);
 }
 
-ALIGNABILITY_AVX2 void rank_avx2(const float* values, int count, std::int32_t* ranks) { rank_all(values, count, ranks); }
+ALIGNABILITY_AVX2 bool select_avx2(const float* distances2, int count, int wanted, float* bounds, std::int32_t* found,
+                                   std::uint32_t* bits) {
+  return select_all(distances2, count, wanted, bounds, found, bits);
+}
 
 #endif
 
 }  // namespace
 
 const NearestKernel& portable_nearest_kernel() {
-  static constexpr NearestKernel kPortable{near_children, near_slots, rank};
+  static constexpr NearestKernel kPortable{near_children, distances2, select};
   return kPortable;
 }
 
 const NearestKernel& nearest_kernel() {
 #if defined(__x86_64__)
-  static constexpr NearestKernel kAvx2{near_children_avx2, near_slots_avx2, rank_avx2};
+  static constexpr NearestKernel kAvx2{near_children_avx2, distances2_avx2, select_avx2};
   static const bool kHasAvx2 = __builtin_cpu_supports("avx2") != 0;
   if (kHasAvx2) return kAvx2;
 #endif

@@ -17,18 +17,18 @@ struct RawBoxes {
   const float* high[3];
 };
 
-/// The same three loops for the processor at hand. The results do not depend on which.
+/// The same loops for the processor at hand. The results do not depend on which.
 struct NearestKernel {
   /// Which of the sixteen children of each node are within a radius of a box. `near` has room for sixteen more than are found.
   int (*near_children)(const RawBoxes& boxes, const std::int32_t* nodes, int count, const RawBox& query, float radius2, std::int32_t* near);
 
-  /// The slots within a radius of a point, and their squared distances; block after block `coordinates` has eight x, eight y and eight z.
-  /// Both lists have room for eight more than are found.
-  int (*near_slots)(const float* coordinates, const std::int32_t* blocks, int count, const float* point, float radius2, std::int32_t* slots,
-                    float* distances2);
+  /// The squared distances of all points of some blocks to eight queries, whose x, y and z follow one another by eights: eight a point.
+  void (*distances2)(const float* coordinates, const std::int32_t* blocks, int count, const float* queries, float* distances2);
 
-  /// The place of each value in ascending order, of equal ones the first first. `count` is a whole number of eights.
-  void (*rank)(const float* values, int count, std::int32_t* ranks);
+  /// Of eight lists of distances, as `distances2` makes them, those up to a bound: bit b of word w of list i, at [8 w + i], stands for
+  /// its element 32 w + b. The bounds are brought down to where exactly `wanted` are within, if equal or nearly equal ones do not
+  /// prevent it; `found` says how many are. False where a bound holds fewer at the start. `count` is a whole number of 32.
+  bool (*select)(const float* distances2, int count, int wanted, float* bounds, std::int32_t* found, std::uint32_t* bits);
 };
 
 /// The fastest that this processor can run.

@@ -59,23 +59,40 @@ ALIGNABILITY_INLINE void find_axes(Floats* m, float* normals, float* curvatures)
   for (int k = 0; k < 3; ++k) store(normals + kLanes * k, z_first ? axes[2][k] : (y_first ? axes[1][k] : axes[0][k]));
 }
 
-ALIGNABILITY_INLINE void find_covariances(const float* points, int count, Floats* covariances) {
+ALIGNABILITY_INLINE std::uint32_t united(const std::uint32_t* words) {
+  std::uint32_t all = 0;
+  for (int lane = 0; lane < kLanes; ++lane) all |= words[lane];
+  return all;
+}
+
+ALIGNABILITY_INLINE void find_covariances(const EightNeighbourhoods& near, Floats* covariances) {
+  const Floats center_x = load(near.centers);
+  const Floats center_y = load(near.centers + kLanes);
+  const Floats center_z = load(near.centers + 2 * kLanes);
   Floats x = {}, y = {}, z = {}, xx = {}, xy = {}, xz = {}, yy = {}, yz = {}, zz = {};
-  for (int p = 0; p < count; ++p) {
-    const Floats px = load(points + 3 * kLanes * p);
-    const Floats py = load(points + 3 * kLanes * p + kLanes);
-    const Floats pz = load(points + 3 * kLanes * p + 2 * kLanes);
-    x += px;
-    y += py;
-    z += pz;
-    xx += px * px;
-    xy += px * py;
-    xz += px * pz;
-    yy += py * py;
-    yz += py * pz;
-    zz += pz * pz;
+  const std::uint32_t* words = near.nearest.data();
+  for (std::size_t block = 0; block < near.blocks.size(); block += 32 / kLanes, words += kLanes) {
+    Ints nearest;
+    __builtin_memcpy(&nearest, words, sizeof nearest);
+    for (std::uint32_t left = united(words); left != 0; left &= left - 1) {
+      const int bit = __builtin_ctz(left);
+      const float* point = near.coordinates + 3 * kLanes * near.blocks[block + static_cast<unsigned>(bit / kLanes)] + bit % kLanes;
+      const Ints counts = (nearest & static_cast<std::int32_t>(1U << bit)) != 0;
+      const Floats px = counts ? point[0] - center_x : Floats{};
+      const Floats py = counts ? point[kLanes] - center_y : Floats{};
+      const Floats pz = counts ? point[2 * kLanes] - center_z : Floats{};
+      x += px;
+      y += py;
+      z += pz;
+      xx += px * px;
+      xy += px * py;
+      xz += px * pz;
+      yy += py * py;
+      yz += py * pz;
+      zz += pz * pz;
+    }
   }
-  const float share = 1.0f / static_cast<float>(count);
+  const float share = 1.0f / static_cast<float>(near.points);
   x *= share;
   y *= share;
   z *= share;
@@ -87,21 +104,19 @@ ALIGNABILITY_INLINE void find_covariances(const float* points, int count, Floats
   covariances[5] = zz * share - z * z;
 }
 
-ALIGNABILITY_INLINE void estimate(const float* neighbourhoods, int points, float* normals, float* curvatures) {
+ALIGNABILITY_INLINE void estimate(const EightNeighbourhoods& near, float* normals, float* curvatures) {
   Floats covariances[6];
-  find_covariances(neighbourhoods, points, covariances);
+  find_covariances(near, covariances);
   find_axes(covariances, normals, curvatures);
 }
 
-using Estimate = void (*)(const float*, int, float*, float*);
+using Estimate = void (*)(const EightNeighbourhoods&, float*, float*);
 
-void estimate_portably(const float* neighbourhoods, int points, float* normals, float* curvatures) {
-  estimate(neighbourhoods, points, normals, curvatures);
-}
+void estimate_portably(const EightNeighbourhoods& near, float* normals, float* curvatures) { estimate(near, normals, curvatures); }
 
 #if defined(__x86_64__)
-ALIGNABILITY_AVX2 void estimate_avx2(const float* neighbourhoods, int points, float* normals, float* curvatures) {
-  estimate(neighbourhoods, points, normals, curvatures);
+ALIGNABILITY_AVX2 void estimate_avx2(const EightNeighbourhoods& near, float* normals, float* curvatures) {
+  estimate(near, normals, curvatures);
 }
 #endif
 
@@ -114,9 +129,9 @@ Estimate fastest() {
 
 }  // namespace
 
-void estimate_normals(const float* neighbourhoods, int points, float* normals, float* curvatures) {
+void estimate_normals(const EightNeighbourhoods& near, float* normals, float* curvatures) {
   static const Estimate kEstimate = fastest();
-  kEstimate(neighbourhoods, points, normals, curvatures);
+  kEstimate(near, normals, curvatures);
 }
 
 }  // namespace alignability::detail

@@ -13,9 +13,11 @@ namespace alignability {
 
 /// Who segments. Both search the same neighbours and grow the same segments; docs/design.md says how far the results differ.
 enum class Engine {
-  native,  ///< our own, in an eighth of the time
+  native,  ///< our own, many times as fast
   pcl,     ///< NormalEstimation and RegionGrowing of the Point Cloud Library, the reference
 };
+
+inline constexpr int kMostStride = 4;
 
 /// How a scan is cut into smooth segments: normals, then region growing (Rabbani et al. 2006), with the numbers of Nobili et al. where
 /// the paper gives none.
@@ -27,7 +29,8 @@ struct SegmentationOptions {
   double curvature = 1.0;          ///< a point above it grows no further
   int min_points = 50;             ///< a smaller segment is none
   /// Normals and votes of every n-th column alone, or, of a scan without order, of every n-th point in space; neighbours among all points.
-  /// Segments then grow over those of the `normal_neighbours` that vote. `min_points` still counts the points of all columns. >= 1
+  /// Segments then grow over those neighbours that vote, at most √n · `smoothness` apart, and `min_points` counts the columns between.
+  /// 1 to kMostStride: the growing neighbours of a point would hold no voters beyond.
   int stride = 1;
   Engine engine = Engine::native;
 };

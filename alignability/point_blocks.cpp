@@ -37,18 +37,18 @@ void PointBlocks::assign(const Scan& scan, double range_min) {
   for (std::size_t i = 0; i < scan.points.size(); ++i) {
     if (counts(scan.points[i], range_min)) kept_.push_back({scan.points[i], static_cast<std::int32_t>(i)});
   }
-  points_ = kept_.size();
   scan_index_.clear();
   if (scan.organized()) {
     keep_order(scan.columns);
   } else {
     halve(kept_);
   }
-  coordinates_.resize(3 * scan_index_.size());
+  coordinates_.assign(3 * (scan_index_.size() + kBlock), kInfinity);
   for (std::size_t slot = 0; slot < scan_index_.size(); ++slot) {
-    const std::int32_t i = scan_index_[slot];
+    if (scan_index_[slot] < 0) continue;
+    const Eigen::Vector3f& point = scan.points[static_cast<std::size_t>(scan_index_[slot])];
     float* place = coordinates_.data() + PointBlocks::place(static_cast<std::int32_t>(slot));
-    for (int axis = 0; axis < 3; ++axis) place[kBlock * axis] = i < 0 ? kInfinity : scan.points[static_cast<std::size_t>(i)][axis];
+    for (int axis = 0; axis < 3; ++axis) place[kBlock * axis] = point[axis];
   }
   build_boxes();
 }

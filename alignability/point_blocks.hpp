@@ -32,11 +32,11 @@ class PointBlocks {
   /// Takes the points of a scan that count; keeps the memory of the scan before.
   void assign(const Scan& scan, double range_min);
 
-  std::size_t points() const { return points_; }
+  std::size_t points() const { return kept_.size(); }
   int blocks() const { return static_cast<int>(scan_index_.size()) / kBlock; }
   /// The place in the scan of each slot, eight a block; -1 = empty, its coordinates infinite.
   const std::vector<std::int32_t>& scan_index() const { return scan_index_; }
-  /// Block after block eight x, eight y, eight z.
+  /// Block after block eight x, eight y, eight z; after the last a block of which every slot is empty.
   const std::vector<float>& coordinates() const { return coordinates_; }
   /// Where in `coordinates` the x of a slot is; its y and z are eight and sixteen after it.
   static std::size_t place(std::int32_t slot) { return static_cast<std::size_t>(slot + (slot / kBlock) * 2 * kBlock); }
@@ -54,7 +54,6 @@ class PointBlocks {
   void pad_block();
   void build_boxes();
 
-  std::size_t points_ = 0;
   std::vector<Kept> kept_;
   std::vector<std::int32_t> scan_index_;
   std::vector<float> coordinates_;

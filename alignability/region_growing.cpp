@@ -6,16 +6,23 @@
 #include <cmath>
 
 namespace alignability::detail {
+namespace {
+
+constexpr std::int32_t kBlock = 8;
+constexpr std::size_t kBlocksOfWord = 4;
+constexpr std::size_t kLanes = 8;
+
+}  // namespace
 
 void RegionGrower::grow(const NeighbourGraph& graph, const GrowingOptions& options) {
   members_.clear();
   ends_.clear();
-  taken_.assign(graph.normals.size(), 0);
-  sort_seeds(graph.normals);
+  free_ = graph.points;
+  sort_seeds(graph);
   for (const std::uint64_t key : seeds_) {
     const auto seed = static_cast<std::int32_t>(key & 0xffffffffU);
-    if (taken_[static_cast<std::size_t>(seed)] != 0) continue;
     const std::size_t begin = members_.size();
+    if (!take(seed)) continue;
     grow_from(seed, graph, options);
     if (members_.size() - begin < static_cast<std::size_t>(options.min_points)) {
       members_.resize(begin);
@@ -26,30 +33,43 @@ void RegionGrower::grow(const NeighbourGraph& graph, const GrowingOptions& optio
 }
 
 // The bits of floats that are not negative are in their order; those of the place behind make every key another.
-void RegionGrower::sort_seeds(const std::vector<SurfaceNormal>& normals) {
+void RegionGrower::sort_seeds(const NeighbourGraph& graph) {
   seeds_.clear();
-  for (std::size_t i = 0; i < normals.size(); ++i) {
-    seeds_.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(normals[i].curvature)} << 32 | i);
+  for (std::size_t block = 0; block < graph.points.size(); ++block) {
+    for (unsigned points = graph.points[block]; points != 0; points &= points - 1) {
+      const std::size_t slot = block * kBlock + static_cast<std::size_t>(std::countr_zero(points));
+      seeds_.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(graph.normals[slot].curvature)} << 32 | slot);
+    }
   }
   boost::sort::spreadsort::integer_sort(seeds_.begin(), seeds_.end());
 }
 
+// False where a segment has it.
+bool RegionGrower::take(std::int32_t slot) {
+  std::uint8_t& free = free_[static_cast<std::size_t>(slot / kBlock)];
+  const auto bit = static_cast<std::uint8_t>(1U << slot % kBlock);
+  if ((free & bit) == 0) return false;
+  free = static_cast<std::uint8_t>(free & ~bit);
+  members_.push_back(slot);
+  return true;
+}
+
 void RegionGrower::grow_from(std::int32_t seed, const NeighbourGraph& graph, const GrowingOptions& options) {
-  std::size_t next = members_.size();
-  members_.push_back(seed);
-  taken_[static_cast<std::size_t>(seed)] = 1;
-  for (; next < members_.size(); ++next) {
+  for (std::size_t next = members_.size() - 1; next < members_.size(); ++next) {
     const auto i = static_cast<std::size_t>(members_[next]);
     const SurfaceNormal& from = graph.normals[i];
     if (from.curvature > options.curvature && members_[next] != seed) continue;
-    const std::int32_t* links = graph.links.data() + i * static_cast<std::size_t>(graph.most_links);
-    for (std::int32_t k = 0; k < graph.links_of[i]; ++k) {
-      const auto to = static_cast<std::size_t>(links[k]);
-      if (taken_[to] != 0) continue;
-      const SurfaceNormal& normal = graph.normals[to];
-      if (!(std::abs(normal.x * from.x + normal.y * from.y + normal.z * from.z) >= options.cosine)) continue;
-      taken_[to] = 1;
-      members_.push_back(links[k]);
+    const NeighbourGraph::Links& links = graph.links[i];
+    for (std::size_t word = links.word; word < links.word + links.words; ++word) {
+      const std::int32_t* blocks = graph.blocks.data() + kBlocksOfWord * word;
+      const auto free = [&](std::size_t k) { return static_cast<std::uint32_t>(free_[static_cast<std::size_t>(blocks[k])]) << 8 * k; };
+      std::uint32_t drawn = graph.bits[kLanes * word + links.lane] & (free(0) | free(1) | free(2) | free(3));
+      for (; drawn != 0; drawn &= drawn - 1) {
+        const int bit = std::countr_zero(drawn);
+        const std::int32_t slot = kBlock * blocks[bit / kBlock] + bit % kBlock;
+        const SurfaceNormal& normal = graph.normals[static_cast<std::size_t>(slot)];
+        if (std::abs(normal.x * from.x + normal.y * from.y + normal.z * from.z) >= options.cosine) take(slot);
+      }
     }
   }
 }

@@ -14,12 +14,19 @@ struct SurfaceNormal {
   float curvature = 0.0f;  ///< λ_min over the trace of its neighbourhood's covariance
 };
 
-/// Points and whom each may draw into its segment.
+/// Points in blocks of eight, and whom each may draw into its segment: the bits of its words, as NearestPoints has them.
 struct NeighbourGraph {
-  std::vector<SurfaceNormal> normals;
-  int most_links = 0;
-  std::vector<std::int32_t> links;     ///< of point i from `i * most_links` on
-  std::vector<std::int32_t> links_of;  ///< how many of them
+  struct Links {
+    std::uint32_t word = 0;   ///< the first, in `blocks` four times as far
+    std::uint32_t words = 0;  ///< how many
+    std::uint32_t lane = 0;   ///< which of the eight of each word
+  };
+
+  std::vector<std::uint8_t> points;    ///< of each block the slots that hold a point; one more, without, at the end
+  std::vector<SurfaceNormal> normals;  ///< of each slot
+  std::vector<Links> links;            ///< of each slot
+  std::vector<std::int32_t> blocks;    ///< four a word: whom its bits stand for
+  std::vector<std::uint32_t> bits;     ///< eight a word
 };
 
 struct GrowingOptions {
@@ -32,17 +39,18 @@ struct GrowingOptions {
 /// curvature, of equal ones at the first. O(points · links + points · log points). Keeps its memory.
 class RegionGrower {
  public:
-  /// The members of the segments one after the other, and where each ends; valid until the next call.
   void grow(const NeighbourGraph& graph, const GrowingOptions& options);
+  /// The slots of the segments one after the other, and where each ends; valid until the next call.
   const std::vector<std::int32_t>& members() const { return members_; }
   const std::vector<std::size_t>& ends() const { return ends_; }
 
  private:
-  void sort_seeds(const std::vector<SurfaceNormal>& normals);
+  void sort_seeds(const NeighbourGraph& graph);
   void grow_from(std::int32_t seed, const NeighbourGraph& graph, const GrowingOptions& options);
+  bool take(std::int32_t slot);
 
   std::vector<std::uint64_t> seeds_;
-  std::vector<std::uint8_t> taken_;
+  std::vector<std::uint8_t> free_;  // of each block the slots whose points are in no segment yet
   std::vector<std::int32_t> members_;
   std::vector<std::size_t> ends_;
 };

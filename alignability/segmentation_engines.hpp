@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
+
 #include "alignability/nearest.hpp"
-#include "alignability/normal_batch.hpp"
 #include "alignability/plane_segmentation.hpp"
 #include "alignability/point_blocks.hpp"
 #include "alignability/region_growing.hpp"
@@ -16,16 +17,21 @@ class NativeSegmenter {
   const Segmentation& segment(const Scan& scan, const SegmentationOptions& options);
 
  private:
+  /// Up to eight voters that lie near one another.
+  struct Group {
+    std::array<std::int32_t, NearestPoints::kQueries> slots;
+    std::size_t size = 0;
+    std::span<const std::int32_t> voters() const { return std::span(slots).first(size); }
+  };
+
+  void find_voters(const Scan& scan, int stride);
   void estimate(const Scan& scan, const SegmentationOptions& options);
-  void number_voters(const Scan& scan, int stride);
-  void link(std::size_t voter, std::span<const std::int32_t> nearest);
-  void take_normals(const Scan& scan);
+  void finish(Group& group, const Scan& scan, const SegmentationOptions& options);
+  void link(const Group& group);
+  void take_normals(const Group& group, const Scan& scan, int neighbours);
 
   PointBlocks blocks_;
   NearestPoints nearest_;
-  NormalBatch batch_;
-  std::vector<std::int32_t> slot_of_voter_;
-  std::vector<std::int32_t> voter_of_slot_;  // -1 = none
   NeighbourGraph graph_;
   RegionGrower grower_;
   Segmentation result_;

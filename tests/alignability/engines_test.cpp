@@ -105,10 +105,12 @@ TEST(Stride, VotesByEveryNthColumnAlone) {
   }
 }
 
-TEST(Stride, OfLessThanOneOrWithPclIsRefused) {
+TEST(Stride, OfLessThanOneOfMoreThanFourOrWithPclIsRefused) {
   AlignabilityOptions options;
-  options.segmentation.stride = 0;
-  EXPECT_THROW(Scorer{options}, std::invalid_argument);
+  for (const int stride : {0, 5}) {
+    options.segmentation.stride = stride;
+    EXPECT_THROW(Scorer{options}, std::invalid_argument);
+  }
   options.segmentation.stride = 2;
   options.segmentation.engine = Engine::pcl;
   EXPECT_THROW(Scorer{options}, std::invalid_argument);

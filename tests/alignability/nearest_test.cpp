@@ -21,7 +21,7 @@ Eigen::Vector3f point_of(const PointBlocks& blocks, std::int32_t slot) {
   return {place[0], place[kLanes], place[2 * kLanes]};
 }
 
-// Sorts all, with none of the search's code.
+// Sorts all, with none of the search's code. In the list's order.
 std::vector<std::int32_t> nearest_of_all(const PointBlocks& blocks, std::int32_t slot, int count) {
   std::vector<std::pair<float, std::int32_t>> all;
   for (std::int32_t other = 0; other < kLanes * blocks.blocks(); ++other) {
@@ -31,19 +31,42 @@ std::vector<std::int32_t> nearest_of_all(const PointBlocks& blocks, std::int32_t
   std::ranges::partial_sort(all, all.begin() + count);
   std::vector<std::int32_t> nearest;
   for (int i = 0; i < count; ++i) nearest.push_back(all[static_cast<std::size_t>(i)].second);
+  std::ranges::sort(nearest);
   return nearest;
 }
 
+std::vector<std::int32_t> found_for(const NearestPoints& search, std::size_t query) {
+  std::vector<std::int32_t> slots;
+  for (std::size_t i = 0; i < search.blocks().size() * kLanes; ++i) {
+    const std::uint32_t word = search.nearest()[i / 32 * NearestPoints::kQueries + query];
+    if ((word >> i % 32 & 1U) != 0) slots.push_back(kLanes * search.blocks()[i / kLanes] + static_cast<std::int32_t>(i % kLanes));
+  }
+  std::ranges::sort(slots);
+  return slots;
+}
+
+// `count` neighbours, then of these the half; eight points at a time from all over the scan, the last ones fewer.
 void expect_exact(const Scan& scan, int count) {
   PointBlocks blocks;
   blocks.assign(scan, 0.5);
-  NearestPoints nearest;
-  nearest.assign(blocks);
-  const int step = std::max(1, kLanes * blocks.blocks() / 400);
-  for (std::int32_t slot = 0; slot < kLanes * blocks.blocks(); slot += step) {
-    if (blocks.scan_index()[static_cast<std::size_t>(slot)] < 0) continue;
-    const auto found = nearest.search(slot, count);
-    ASSERT_EQ(std::vector<std::int32_t>(found.begin(), found.end()), nearest_of_all(blocks, slot, count)) << "of slot " << slot;
+  NearestPoints search;
+  search.assign(blocks);
+  std::vector<std::int32_t> slots;
+  const int step = std::max(1, blocks.blocks() / 60);
+  for (int block = 0; block < blocks.blocks(); block += step) {
+    for (std::int32_t slot = kLanes * block; slot < kLanes * (block + 1); ++slot) {
+      if (blocks.scan_index()[static_cast<std::size_t>(slot)] >= 0) slots.push_back(slot);
+    }
+  }
+  for (std::size_t first = 0; first < slots.size(); first += NearestPoints::kQueries) {
+    const auto group = std::span(slots).subspan(first, std::min<std::size_t>(NearestPoints::kQueries, slots.size() - first));
+    search.search(group, count);
+    for (const int wanted : {count, (count + 1) / 2}) {
+      if (wanted < count) search.narrow(wanted);
+      for (std::size_t query = 0; query < group.size(); ++query) {
+        ASSERT_EQ(found_for(search, query), nearest_of_all(blocks, group[query], wanted)) << "of slot " << group[query];
+      }
+    }
   }
 }
 
@@ -127,19 +150,19 @@ TEST(NearestKernel, GivesTheSameOnEveryProcessor) {
   for (float& value : coordinates) value = uniform(engine);
   std::vector<std::int32_t> blocks(40);
   for (std::size_t i = 0; i < blocks.size(); ++i) blocks[i] = static_cast<std::int32_t>(i);
+  std::vector<float> queries(coordinates.begin(), coordinates.begin() + 3 * kLanes);
   const auto run = [&](const NearestKernel& kernel) {
-    std::vector<std::int32_t> slots(kLanes * 41);
-    std::vector<float> distances2(slots.size());
-    const float point[] = {0.1f, 0.2f, -0.3f};
-    const int found = kernel.near_slots(coordinates.data(), blocks.data(), 40, point, 0.7f, slots.data(), distances2.data());
-    slots.resize(static_cast<std::size_t>(found));
-    distances2.resize(static_cast<std::size_t>(found / kLanes * kLanes));
-    std::vector<std::int32_t> ranks(distances2.size());
-    kernel.rank(distances2.data(), static_cast<int>(distances2.size()), ranks.data());
-    return std::tuple(slots, distances2, ranks);
+    std::vector<float> distances2(blocks.size() * kLanes * kLanes);
+    kernel.distances2(coordinates.data(), blocks.data(), 40, queries.data(), distances2.data());
+    std::vector<float> bounds(kLanes, 0.5f);
+    std::vector<std::int32_t> found(kLanes);
+    std::vector<std::uint32_t> bits(blocks.size() / 4 * kLanes);
+    EXPECT_FALSE(kernel.select(distances2.data(), 40 * kLanes, 300, bounds.data(), found.data(), bits.data()));
+    EXPECT_TRUE(kernel.select(distances2.data(), 40 * kLanes, 20, bounds.data(), found.data(), bits.data()));
+    return std::tuple(distances2, bounds, found, bits);
   };
   const auto portable = run(portable_nearest_kernel());
-  EXPECT_GT(std::get<0>(portable).size(), 20u);
+  EXPECT_EQ(std::get<2>(portable), std::vector<std::int32_t>(kLanes, 20));
   EXPECT_EQ(run(nearest_kernel()), portable);
 }
 
