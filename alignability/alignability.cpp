@@ -6,9 +6,12 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "alignability/information.hpp"
+#include "alignability/merged_planes.hpp"
 #include "alignability/segment_shape.hpp"
 #include "alignability/segmentation_engines.hpp"
 #include "core/range.hpp"
+#include "lidar/thinning.hpp"
 
 namespace alignability {
 namespace {
@@ -19,70 +22,143 @@ struct NormalSums {
   Eigen::Vector3d first = Eigen::Vector3d::Zero();
   Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
 
-  void add(const Eigen::Vector3d& normal) {
-    count += 1.0;
-    first += normal;
-    second += normal * normal.transpose();
+  void add(const Eigen::Vector3d& normal, double times = 1.0) {
+    count += times;
+    first += times * normal;
+    second += times * normal * normal.transpose();
+  }
+
+  Eigen::Matrix3d moment(Moment moment) const {
+    if (count == 0.0) return Eigen::Matrix3d::Zero();
+    if (moment == Moment::about_origin) return second / count;
+    return second / count - first * first.transpose() / (count * count);
   }
 };
 
+// λ_c/λ_a of a second moment, whose eigenvalues ascend.
+double ratio(const Eigen::Vector3d& eigenvalues) {
+  return eigenvalues[2] > 0.0 ? std::clamp(eigenvalues[0] / eigenvalues[2], 0.0, 1.0) : 0.0;
+}
+
+double ratio(const Eigen::Matrix3d& moment) {
+  return ratio(Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moment, Eigen::EigenvaluesOnly).eigenvalues());
+}
+
 void set_moment(ScoredScan& scored, const NormalSums& sums, Moment moment) {
   if (sums.count == 0.0) return;
-  Eigen::Matrix3d matrix = sums.second / sums.count;
-  if (moment == Moment::about_mean) matrix -= sums.first * sums.first.transpose() / (sums.count * sums.count);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(matrix);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(sums.moment(moment));
   Alignability& result = scored.alignability;
   scored.axes = solver.eigenvectors().rowwise().reverse();
   result.eigenvalues = solver.eigenvalues().reverse().cwiseMax(0.0);
   result.weakest_direction = solver.eigenvectors().col(0);
-  if (result.eigenvalues[0] > 0.0) result.alpha = std::clamp(result.eigenvalues[2] / result.eigenvalues[0], 0.0, 1.0);
+  result.alpha = ratio(solver.eigenvalues());
 }
 
 }  // namespace
 
+bool AlignabilityOptions::wants(Reading reading) const { return std::ranges::find(readings, reading) != readings.end(); }
+
+AlignabilityOptions for_lidar(AlignabilityOptions options, const LidarModel& lidar) {
+  options.segmentation.range_min = lidar.range_min;
+  if (lidar.range_stddev > 0.0) options.range_stddev = lidar.range_stddev;
+  options.T_base_lidar = lidar.T_base_lidar;
+  return options;
+}
+
 class Scorer::Implementation {
  public:
   explicit Implementation(const AlignabilityOptions& options) : options_(options) {
-    if (options.segmentation.stride < 1 || options.segmentation.stride > kMostStride)
-      throw std::invalid_argument("the stride must be 1 to 4");
-    if (options.segmentation.stride > 1 && options.segmentation.engine == Engine::pcl) {
-      throw std::invalid_argument("the engine pcl knows no stride");
-    }
+    const SegmentationOptions& segmentation = options.segmentation;
+    if (segmentation.stride < 1 || segmentation.stride > kMostStride) throw std::invalid_argument("the stride must be 1 to 4");
+    if (segmentation.stride > 1 && segmentation.engine == Engine::pcl) throw std::invalid_argument("the engine pcl knows no stride");
+    if (!kPositive.contains(options.voxel)) throw std::invalid_argument("the voxel must be greater than 0");
+    if (!kPositive.contains(options.range_stddev)) throw std::invalid_argument("range_stddev must be greater than 0");
   }
 
-  const Segmentation& segment(const Scan& scan) {
-    if (options_.segmentation.engine == Engine::native) return native_.segment(scan, options_.segmentation);
-    by_pcl_ = detail::segment_with_pcl(scan, options_.segmentation);
-    return by_pcl_;
-  }
-
-  // `on_plane` is called with the members of each plane that is kept.
+  // Calls `on_plane` with the members of each plane that is kept.
   template <typename OnPlane>
-  ScoredScan score(const Scan& scan, const Segmentation& segmentation, OnPlane on_plane) {
+  ScoredScan score(const Scan& scan, OnPlane on_plane) {
+    // Before the scan itself, whose segmentation must last.
+    const double voxel = options_.wants(Reading::voxel) ? voxel_alpha(scan) : Readings::kNone;
+    const Segmentation& segmentation = segment(scan, options_.segmentation);
     ScoredScan scored;
-    Alignability& result = scored.alignability;
-    result.points = segmentation.points;
+    scored.alignability.points = segmentation.points;
     NormalSums sums;
+    std::vector<std::vector<std::int32_t>> kept;
+    const bool merges = options_.wants(Reading::robust) || options_.wants(Reading::information);
+    for_each_plane(scan, segmentation, scored.alignability, [&](std::span<const std::int32_t> members, int plane) {
+      add_normals(sums, segmentation, members);
+      if (merges) kept.emplace_back(members.begin(), members.end());
+      on_plane(members, plane);
+    });
+    set_moment(scored, sums, options_.moment);
+    Readings& readings = scored.alignability.readings;
+    readings.voxel = voxel;
+    if (options_.wants(Reading::centred)) readings.centred = ratio(sums.moment(Moment::about_mean));
+    if (merges) read_planes(readings, detail::merged_planes(scan, std::move(kept), segmentation.normals, options_.range_stddev));
+    return scored;
+  }
+
+  // Of the scan scored last.
+  const Segmentation& segmentation() const { return *last_; }
+
+ private:
+  const Segmentation& segment(const Scan& scan, const SegmentationOptions& options) {
+    if (options.engine == Engine::native) {
+      last_ = &native_.segment(scan, options);
+    } else {
+      by_pcl_ = detail::segment_with_pcl(scan, options);
+      last_ = &by_pcl_;
+    }
+    return *last_;
+  }
+
+  template <typename OnPlane>
+  void for_each_plane(const Scan& scan, const Segmentation& segmentation, Alignability& result, OnPlane on_plane) const {
     for (std::size_t segment = 0; segment < segmentation.segments(); ++segment) {
       const auto members = segmentation.segment(segment);
       const detail::SegmentShape shape = detail::shape_of(scan, members);
       if (!(shape.flatness() < options_.plane_threshold)) continue;
       ++result.planes_found;
-      if (!(shape.area() > options_.min_area)) continue;
-      for (const std::int32_t i : members) {
-        const Eigen::Vector3f& normal = segmentation.normals[static_cast<std::size_t>(i)];
-        if (normal.allFinite()) sums.add(normal.cast<double>());
-      }
-      on_plane(members, result.planes_kept++);
+      if (shape.area() > options_.min_area) on_plane(members, result.planes_kept++);
     }
-    set_moment(scored, sums, options_.moment);
-    return scored;
   }
 
- private:
+  static void add_normals(NormalSums& sums, const Segmentation& segmentation, std::span<const std::int32_t> members) {
+    for (const std::int32_t i : members) {
+      const Eigen::Vector3f& normal = segmentation.normals[static_cast<std::size_t>(i)];
+      if (normal.allFinite()) sums.add(normal.cast<double>());
+    }
+  }
+
+  double voxel_alpha(const Scan& scan) {
+    Scan thin{.points = thinned(scan.points, options_.voxel), .rings = 1, .columns = 0};
+    thin.columns = static_cast<int>(thin.points.size());
+    SegmentationOptions every_point = options_.segmentation;
+    every_point.stride = 1;
+    const Segmentation& segmentation = segment(thin, every_point);
+    Alignability result;
+    NormalSums sums;
+    for_each_plane(thin, segmentation, result,
+                   [&](std::span<const std::int32_t> members, int) { add_normals(sums, segmentation, members); });
+    return ratio(sums.moment(Moment::about_origin));
+  }
+
+  void read_planes(Readings& readings, const std::vector<detail::MergedPlane>& planes) const {
+    if (options_.wants(Reading::robust)) {
+      NormalSums sums;
+      for (const detail::MergedPlane& plane : planes) sums.add(plane.own_normal, plane.count());
+      readings.robust = ratio(sums.moment(Moment::about_origin));
+    }
+    if (options_.wants(Reading::information)) {
+      readings.information = detail::planar_information(planes, options_.T_base_lidar, options_.range_stddev);
+    }
+  }
+
   AlignabilityOptions options_;
   detail::NativeSegmenter native_;
   Segmentation by_pcl_;
+  const Segmentation* last_ = nullptr;
 };
 
 Scorer::Scorer(const AlignabilityOptions& options) : implementation_(std::make_unique<Implementation>(options)) {}
@@ -91,25 +167,36 @@ Scorer& Scorer::operator=(Scorer&&) noexcept = default;
 Scorer::~Scorer() = default;
 
 Alignability Scorer::alignability(const Scan& scan) {
-  const auto pass = [](std::span<const std::int32_t>, int) {};
-  return implementation_->score(scan, implementation_->segment(scan), pass).alignability;
+  return implementation_->score(scan, [](std::span<const std::int32_t>, int) {}).alignability;
 }
 
 ScoredScan Scorer::score(const Scan& scan) {
-  const Segmentation& segmentation = implementation_->segment(scan);
   std::vector<int> plane_of_point(scan.points.size(), -1);
-  const auto mark = [&](std::span<const std::int32_t> members, int plane) {
+  ScoredScan scored = implementation_->score(scan, [&](std::span<const std::int32_t> members, int plane) {
     for (const std::int32_t i : members) plane_of_point[static_cast<std::size_t>(i)] = plane;
-  };
-  ScoredScan scored = implementation_->score(scan, segmentation, mark);
+  });
   scored.plane_of_point = std::move(plane_of_point);
-  scored.normals = segmentation.normals;
+  scored.normals = implementation_->segmentation().normals;
   return scored;
 }
 
 ScoredScan score(const Scan& scan, const AlignabilityOptions& options) { return Scorer(options).score(scan); }
 
 std::string_view to_string(Engine engine) { return engine == Engine::native ? "native" : "pcl"; }
+
+std::string_view to_string(Reading reading) {
+  switch (reading) {
+    case Reading::centred:
+      return "centred";
+    case Reading::voxel:
+      return "voxel";
+    case Reading::robust:
+      return "robust";
+    case Reading::information:
+      break;
+  }
+  return "information";
+}
 
 std::string to_yaml(const AlignabilityOptions& options) {
   std::ostringstream out;
@@ -124,6 +211,10 @@ std::string to_yaml(const AlignabilityOptions& options) {
       << "plane_threshold: " << to_text(options.plane_threshold) << '\n'
       << "min_area: " << to_text(options.min_area) << '\n'
       << "centred: " << (options.moment == Moment::about_mean ? "true" : "false") << '\n';
+  if (!options.readings.empty()) out << "readings: [";
+  for (const Reading reading : options.readings) out << (reading == options.readings.front() ? "" : ", ") << to_string(reading);
+  if (!options.readings.empty())
+    out << "]\nvoxel: " << to_text(options.voxel) << "\nrange_stddev: " << to_text(options.range_stddev) << '\n';
   return out.str();
 }
 

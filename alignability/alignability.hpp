@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <memory>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "alignability/plane_segmentation.hpp"
+#include "alignability/readings.hpp"
+#include "lidar/lidar_model.hpp"
 #include "lidar/scan.hpp"
 
 namespace alignability {
@@ -23,7 +26,16 @@ struct AlignabilityOptions {
   double plane_threshold = 0.05;  ///< p_th: a segment is a plane when λ_s/λ_l of its points is below
   double min_area = 0.01;         ///< s_th [m²]: a plane is kept when its bounding box is larger
   Moment moment = Moment::about_origin;
+  std::vector<Reading> readings;  ///< those wanted beside α
+  double voxel = 0.08;            ///< side of a cube of Reading::voxel [m]
+  double range_stddev = 0.02;     ///< of a return [m]: what robust and information take points to scatter by; > 0
+  Eigen::Isometry3d T_base_lidar = Eigen::Isometry3d::Identity();  ///< the mount, for information
+
+  bool wants(Reading reading) const;
 };
+
+/// The options with what a lidar's model says of them: least range, noise (where it has any) and mount.
+AlignabilityOptions for_lidar(AlignabilityOptions options, const LidarModel& lidar);
 
 /// How well a scan constrains alignment.
 struct Alignability {
@@ -33,6 +45,7 @@ struct Alignability {
   int planes_found = 0;
   int planes_kept = 0;
   std::size_t points = 0;  ///< those that were not dropped
+  Readings readings;
 };
 
 /// A scan's alignability and how it came about.
@@ -45,8 +58,8 @@ struct ScoredScan {
 };
 
 /// Scores scan after scan without asking for memory anew. One a thread; what it has scored before changes nothing.
-/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride that is
-/// not from 1 to kMostStride, or more than 1 with PCL.
+/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride that is not from 1 to
+/// kMostStride, or more than 1 with PCL, and for a voxel or range_stddev that is not greater than 0.
 class Scorer {
  public:
   explicit Scorer(const AlignabilityOptions& options);

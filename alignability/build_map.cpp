@@ -103,19 +103,13 @@ std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluato
 }
 
 std::vector<AlignabilityMap::Layer> layers_of(const GridGeometry& geometry, const std::vector<Job>& jobs,
-                                              const std::vector<CellValue>& values) {
+                                              const std::vector<CellValue>& values, const std::vector<std::string>& names) {
   std::vector<AlignabilityMap::Layer> layers;
-  const auto add = [&](const char* name, auto value_of) {
-    Grid<float> grid(geometry, CellValue::kNan);
-    for (std::size_t i = 0; i < jobs.size(); ++i) grid[jobs[i].cell] = value_of(values[i]);
-    layers.push_back({name, std::move(grid)});
-  };
-  add("alpha", [](const CellValue& value) { return value.alpha; });
-  add("samples", [](const CellValue& value) { return value.samples; });
-  add("iqr", [](const CellValue& value) { return value.iqr; });
-  add("weak_x", [](const CellValue& value) { return value.weakest.x(); });
-  add("weak_y", [](const CellValue& value) { return value.weakest.y(); });
-  add("weak_z", [](const CellValue& value) { return value.weakest.z(); });
+  for (std::size_t layer = 0; layer < names.size(); ++layer) {
+    Grid<float> grid(geometry, std::numeric_limits<float>::quiet_NaN());
+    for (std::size_t i = 0; i < jobs.size(); ++i) grid[jobs[i].cell] = values[i][layer];
+    layers.push_back({names[layer], std::move(grid)});
+  }
   return layers;
 }
 
@@ -157,13 +151,14 @@ AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& o
   map.options = to_yaml(options);
   map.sensor = lidar.yaml;
   const std::vector<Job> jobs = jobs_for(occupancy, map.geometry, options);
+  const std::vector<std::string> names = detail::layer_names(options.alignability);
   std::optional<detail::Checkpoint> checkpoint;
   if (options.checkpoint) {
     const std::string all_options = map.options + "resolution: " + to_text(options.resolution) + '\n';
-    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, lidar, all_options, options.seed));
+    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, lidar, all_options, options.seed), names.size());
   }
   const CellEvaluator evaluator(scene, lidar, options);
-  map.layers = layers_of(map.geometry, jobs, evaluate(jobs, evaluator, options, checkpoint ? &*checkpoint : nullptr));
+  map.layers = layers_of(map.geometry, jobs, evaluate(jobs, evaluator, options, checkpoint ? &*checkpoint : nullptr), names);
   return map;
 }
 

@@ -2,22 +2,19 @@
 #pragma once
 
 #include <Eigen/Geometry>
-#include <limits>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "alignability/build_map.hpp"
 
 namespace alignability::detail {
 
-/// What a map says of a cell; NaN where there is nothing to say.
-struct CellValue {
-  static constexpr float kNan = std::numeric_limits<float>::quiet_NaN();
+/// What a map says of a cell, layer by layer; NaN where there is nothing to say.
+using CellValue = std::vector<float>;
 
-  float alpha = kNan;
-  float samples = kNan;
-  float iqr = kNan;
-  Eigen::Vector3f weakest = Eigen::Vector3f::Constant(kNan);
-};
+/// The layers of a map made with such options: alpha, samples, iqr, weak_x, weak_y, weak_z, then those of the readings.
+std::vector<std::string> layer_names(const AlignabilityOptions& options);
 
 /// Evaluates cells, each independent of the rest. Safe to call from many threads, each with its own scorer.
 class CellEvaluator {

@@ -8,7 +8,6 @@
 #include <array>
 #include <boost/crc.hpp>
 #include <cerrno>
-#include <cstddef>
 #include <cstring>
 #include <string_view>
 #include <utility>
@@ -22,30 +21,23 @@ namespace {
 using Crc32 = boost::crc_32_type;
 using Crc64 = boost::crc_optimal<64, 0x42F0E1EBA9EA3693, 0xffffffffffffffff, 0xffffffffffffffff, true, true>;
 
-constexpr std::string_view kMagic = "alignability checkpoint 1\n";
+constexpr std::string_view kMagic = "alignability checkpoint 2\n";
 constexpr std::uintmax_t kLargest = std::uintmax_t{1} << 32;
 
-struct Record {
-  std::uint64_t cell;
-  std::array<float, 6> values;
-  std::uint32_t padding;  // none is left to the compiler
-  std::uint32_t checksum;
-};
-static_assert(sizeof(Record) == 40);
+// A record: the cell, its values, a checksum.
+using Checksum = std::uint32_t;
 
-std::uint32_t checksum_of(const Record& record) {
+std::size_t record_size(std::size_t values) { return sizeof(std::uint64_t) + values * sizeof(float) + sizeof(Checksum); }
+
+Checksum checksum_of(std::string_view bytes) {
   Crc32 crc;
-  crc.process_bytes(&record, offsetof(Record, checksum));
+  crc.process_bytes(bytes.data(), bytes.size());
   return crc.checksum();
 }
 
-Record record_of(std::size_t cell, const CellValue& value) {
-  Record record{.cell = cell,
-                .values = {value.alpha, value.samples, value.iqr, value.weakest.x(), value.weakest.y(), value.weakest.z()},
-                .padding = 0,
-                .checksum = 0};
-  record.checksum = checksum_of(record);
-  return record;
+template <typename T>
+void append_bytes(std::string& bytes, const T* values, std::size_t count) {
+  bytes.append(reinterpret_cast<const char*>(values), count * sizeof(T));
 }
 
 std::string header_of(std::uint64_t fingerprint) {
@@ -60,7 +52,8 @@ bool write_whole(int descriptor, const void* bytes, std::size_t size) {
 
 }  // namespace
 
-Checkpoint::Checkpoint(std::filesystem::path file, std::uint64_t fingerprint) : file_(std::move(file)) {
+Checkpoint::Checkpoint(std::filesystem::path file, std::uint64_t fingerprint, std::size_t values)
+    : file_(std::move(file)), values_(values) {
   descriptor_ = ::open(file_.c_str(), O_RDWR | O_CREAT | O_APPEND | O_CLOEXEC, 0666);
   if (descriptor_ < 0) fail(errno);
   try {
@@ -74,7 +67,7 @@ Checkpoint::Checkpoint(std::filesystem::path file, std::uint64_t fingerprint) : 
       throw InputError(file_, "holds cells of another build, of another site, sensor, options or version; remove it to build anew");
     }
     if (bytes.starts_with(header)) read_records(bytes.substr(header.size()));
-    const std::size_t keep = found_.empty() ? 0 : header.size() + found_.size() * sizeof(Record);
+    const std::size_t keep = found_.empty() ? 0 : header.size() + found_.size() * record_size(values_);
     if (::ftruncate(descriptor_, static_cast<::off_t>(keep)) != 0) fail(errno);
     if (keep == 0 && !write_whole(descriptor_, header.data(), header.size())) fail(errno);
   } catch (...) {
@@ -87,18 +80,28 @@ Checkpoint::~Checkpoint() { ::close(descriptor_); }
 
 // Up to the first that is not whole.
 void Checkpoint::read_records(const std::string& bytes) {
-  for (std::size_t at = 0; at + sizeof(Record) <= bytes.size(); at += sizeof(Record)) {
-    Record record;
-    std::memcpy(&record, bytes.data() + at, sizeof record);
-    if (record.checksum != checksum_of(record)) return;
-    const auto& [alpha, samples, iqr, x, y, z] = record.values;
-    if (!found_.try_emplace(record.cell, CellValue{alpha, samples, iqr, {x, y, z}}).second) return;
+  const std::size_t size = record_size(values_);
+  for (std::size_t at = 0; at + size <= bytes.size(); at += size) {
+    const std::string_view record = std::string_view(bytes).substr(at, size);
+    Checksum checksum = 0;
+    std::memcpy(&checksum, record.data() + size - sizeof checksum, sizeof checksum);
+    if (checksum != checksum_of(record.substr(0, size - sizeof checksum))) return;
+    std::uint64_t cell = 0;
+    CellValue value(values_);
+    std::memcpy(&cell, record.data(), sizeof cell);
+    std::memcpy(value.data(), record.data() + sizeof cell, values_ * sizeof(float));
+    if (!found_.try_emplace(cell, std::move(value)).second) return;
   }
 }
 
 void Checkpoint::append(std::size_t cell, const CellValue& value) {
-  const Record record = record_of(cell, value);
-  if (!write_whole(descriptor_, &record, sizeof record)) fail(errno);
+  std::string record;
+  const std::uint64_t number = cell;
+  append_bytes(record, &number, 1);
+  append_bytes(record, value.data(), value.size());
+  const Checksum checksum = checksum_of(record);
+  append_bytes(record, &checksum, 1);
+  if (!write_whole(descriptor_, record.data(), record.size())) fail(errno);
 }
 
 void Checkpoint::fail(int error_number) const { throw InputError(file_, std::string("cannot be written: ") + std::strerror(error_number)); }

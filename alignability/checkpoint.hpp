@@ -14,9 +14,9 @@ namespace alignability::detail {
 /// build killed at any moment loses at most the cells it was at. Values are kept to the bit.
 class Checkpoint {
  public:
-  /// Creates the file, or goes on with that of an earlier build of the same fingerprint. Throws InputError when the file cannot be
-  /// written, is none of ours, holds cells of another fingerprint, or a build that is under way has it.
-  Checkpoint(std::filesystem::path file, std::uint64_t fingerprint);
+  /// Creates the file, or goes on with that of an earlier build of the same fingerprint; so many `values` a cell. Throws InputError when
+  /// the file cannot be written, is none of ours, holds cells of another fingerprint, or a build that is under way has it.
+  Checkpoint(std::filesystem::path file, std::uint64_t fingerprint, std::size_t values);
   ~Checkpoint();
   Checkpoint(const Checkpoint&) = delete;
   Checkpoint& operator=(const Checkpoint&) = delete;
@@ -32,6 +32,7 @@ class Checkpoint {
   void read_records(const std::string& bytes);
 
   std::filesystem::path file_;
+  std::size_t values_;
   int descriptor_ = -1;
   std::unordered_map<std::size_t, CellValue> found_;
 };

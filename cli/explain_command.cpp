@@ -2,12 +2,14 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <span>
 
 #include "alignability/build_map.hpp"
 #include "alignability/explanation.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
+#include "cli/reading_text.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
 #include "core/file.hpp"
@@ -181,7 +183,8 @@ std::string map_text(const MapCell& cell) {
   return alpha + "the median of " + fixed_text(cell.samples, 0) + " scans (interquartile range " + fixed_text(cell.iqr, 3) + ")";
 }
 
-void print_explanation(const Explanation& explanation, const std::string& why, const std::optional<MapCell>& cell) {
+void print_explanation(const Explanation& explanation, std::span<const Reading> readings, const std::string& why,
+                       const std::optional<MapCell>& cell) {
   std::printf("%s\n\n", why.c_str());
   if (!explanation.planes.empty()) {
     print_table(explanation);
@@ -190,6 +193,9 @@ void print_explanation(const Explanation& explanation, const std::string& why, c
     std::printf("%-15s(%s) in map, %s\n", "weakest axis", vector_text(axis, 3).c_str(), axis_text(axis).c_str());
   }
   std::printf("%-15salpha %.3f\n", "this scan", explanation.alignability.alpha);
+  for (const Reading reading : readings) {
+    std::printf("%-15s%s\n", std::string(to_string(reading)).c_str(), reading_text(reading, explanation.alignability.readings).c_str());
+  }
   if (cell) std::printf("%-15s%s\n", "map", map_text(*cell).c_str());
 }
 
@@ -225,14 +231,14 @@ int run(Options options) {
   const Eigen::Isometry3d T_map_lidar = T_map_base * lidar.T_base_lidar;
   check_place(options, scene, T_map_lidar);
 
-  AlignabilityOptions scoring = options.scoring;
-  scoring.segmentation.range_min = lidar.range_min;
+  const AlignabilityOptions scoring = for_lidar(options.scoring, lidar);
   const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = options.range_max}, NoiseKey{.seed = options.seed});
   const Explanation explanation = explain(scan, T_map_lidar.linear(), lidar.range_stddev, scoring);
 
   const Verdict judged = verdict(explanation.alignability.alpha, risk);
   const std::string why = sentence(explanation, risk);
   Json json = explanation_json(options.place(), explanation, judged, why);
+  add_readings(json, explanation.alignability.readings, scoring.readings);
   json["map"] = cell ? Json{{"alpha", cell->alpha}, {"samples", cell->samples}, {"iqr", cell->iqr}} : Json(nullptr);
   if (options.output) {
     draw(scan, explanation, options, judged, T_map_lidar, occupancy);
@@ -241,7 +247,7 @@ int run(Options options) {
   if (options.json) {
     print({json});
   } else {
-    print_explanation(explanation, why, cell);
+    print_explanation(explanation, scoring.readings, why, cell);
   }
   return kYes;
 }

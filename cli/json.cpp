@@ -50,19 +50,45 @@ Json options_json(const PlanQuery& query) {
           {"planner", planner}};
 }
 
+Json reading_json(Reading reading, const Readings& readings) {
+  switch (reading) {
+    case Reading::centred:
+      return number(readings.centred);
+    case Reading::voxel:
+      return number(readings.voxel);
+    case Reading::robust:
+      return number(readings.robust);
+    case Reading::information:
+      break;
+  }
+  const PlanarInformation& information = readings.information;
+  Json rows = Json::array();
+  for (int row = 0; row < 3; ++row) rows.push_back(vector(information.matrix.row(row)));
+  return {{"least", number(information.least)},
+          {"weakest_direction", {number(information.weakest_direction.x()), number(information.weakest_direction.y())}},
+          {"yaw", number(information.yaw)},
+          {"matrix", rows}};
+}
+
 }  // namespace
 
-Json score_json(const std::filesystem::path& file, const Alignability& score, Engine engine, double seconds) {
+Json score_json(const std::filesystem::path& file, const Alignability& score, const AlignabilityOptions& options, double seconds) {
   const bool has_planes = score.planes_kept > 0;
-  return {{"file", file.string()},
-          {"points", score.points},
-          {"alpha", score.alpha},
-          {"eigenvalues", vector(score.eigenvalues)},
-          {"weakest_direction", has_planes ? vector(score.weakest_direction) : Json(nullptr)},
-          {"planes_found", score.planes_found},
-          {"planes_kept", score.planes_kept},
-          {"engine", to_string(engine)},
-          {"seconds", seconds}};
+  Json json{{"file", file.string()},
+            {"points", score.points},
+            {"alpha", score.alpha},
+            {"eigenvalues", vector(score.eigenvalues)},
+            {"weakest_direction", has_planes ? vector(score.weakest_direction) : Json(nullptr)},
+            {"planes_found", score.planes_found},
+            {"planes_kept", score.planes_kept},
+            {"engine", to_string(options.segmentation.engine)},
+            {"seconds", seconds}};
+  add_readings(json, score.readings, options.readings);
+  return json;
+}
+
+void add_readings(Json& json, const Readings& readings, std::span<const Reading> wanted) {
+  for (const Reading reading : wanted) json[std::string(to_string(reading))] = reading_json(reading, readings);
 }
 
 Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why) {

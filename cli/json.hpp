@@ -16,7 +16,10 @@ namespace alignability::cli {
 // The objects of `--json`: metres and seconds, null where there is no value.
 using Json = nlohmann::ordered_json;
 
-Json score_json(const std::filesystem::path& file, const Alignability& score, Engine engine, double seconds);
+/// With the readings that were asked for.
+Json score_json(const std::filesystem::path& file, const Alignability& score, const AlignabilityOptions& options, double seconds);
+/// A key for each.
+void add_readings(Json& json, const Readings& readings, std::span<const Reading> wanted);
 Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why);
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
 Json plan_json(const PlanResult& result);

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 #include <cstdio>
@@ -6,6 +7,7 @@
 #include <utility>
 
 #include "alignability/build_map.hpp"
+#include "alignability/map_update.hpp"
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
@@ -25,13 +27,17 @@ struct Options {
   std::filesystem::path occupancy;
   std::filesystem::path sensor;
   MapOptions map;
+  std::vector<int> cells;
+  std::vector<double> polygon;
+  std::optional<std::filesystem::path> update;
   bool json = false;
   std::filesystem::path output;
 };
 
 std::string provenance(const Options& options) {
+  const std::string update = options.update ? "\nupdate_of: " + options.update->filename().string() : "";
   return "scene: " + options.scene.filename().string() + "\noccupancy: " + options.occupancy.filename().string() +
-         "\nsensor: " + options.sensor.filename().string() + "\nmade_by: alignability " ALIGNABILITY_VERSION "\n";
+         "\nsensor: " + options.sensor.filename().string() + update + "\nmade_by: alignability " ALIGNABILITY_VERSION "\n";
 }
 
 void print_summary(const Json& summary) {
@@ -64,18 +70,40 @@ AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const L
   return build_alignability_map(scene, occupancy, lidar, options);
 }
 
+// Those that are to be built, where not all are.
+std::optional<std::vector<Cell>> chosen_cells(const Options& options, const GridGeometry& occupancy) {
+  if (options.cells.empty() && options.polygon.empty()) {
+    if (options.update) throw std::invalid_argument("--update takes --cells or --polygon: what to build anew");
+    return std::nullopt;
+  }
+  const GridGeometry geometry = alignability_geometry(occupancy, options.map.resolution);
+  std::vector<Eigen::Vector2d> corners;
+  for (std::size_t i = 0; i < options.polygon.size(); i += 2) corners.emplace_back(options.polygon[i], options.polygon[i + 1]);
+  std::vector<Cell> cells;
+  if (!corners.empty()) cells = cells_meeting(geometry, corners);
+  for (std::size_t i = 0; i < options.cells.size(); i += 2) cells.push_back({options.cells[i], options.cells[i + 1]});
+  if (cells.empty()) throw std::invalid_argument("--polygon meets no cell of the map");
+  const auto order = [&](Cell cell) { return std::pair(cell.y, cell.x); };
+  std::ranges::sort(cells, {}, order);
+  cells.erase(std::ranges::unique(cells).begin(), cells.end());
+  return cells;
+}
+
 int build_and_store(Options options) {
   const Interrupt interrupt;
   const auto begin = std::chrono::steady_clock::now();
   const LidarModel lidar = read_lidar_model(options.sensor);
   const OccupancyMap occupancy = read_occupancy_map(options.occupancy);
   const Scene scene(read_meshes(options.scene, options.reading));
-  options.map.alignability.segmentation.range_min = lidar.range_min;
+  options.map.alignability = for_lidar(options.map.alignability, lidar);
+  options.map.cells = chosen_cells(options, occupancy.geometry());
+  const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;
   options.map.stop = interrupt.token();
   const std::filesystem::path name = output_name(options.output);
   options.map.checkpoint = with_ending(name, ".part");
   AlignabilityMap map = build(scene, occupancy, lidar, options.map);
   map.provenance = provenance(options);
+  if (before) map = updated(*before, std::move(map), *options.map.cells);
   draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, with_ending(name, ".png"));
   write_alignability_map(map, name);
   std::filesystem::remove(*options.map.checkpoint);
@@ -114,6 +142,15 @@ void add_map(CLI::App& app, Work& work) {
   command->add_option("--seed", options->map.seed, "Seed of places and range noise")->capture_default_str();
   command->add_option("--threads", options->map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_scoring_options(*command, options->map.alignability);
+  command->add_option("--cells", options->cells, "Build these cells alone: column,row from the lower left, from 0")
+      ->delimiter(',')
+      ->type_size(2)
+      ->expected(-1);
+  command->add_option("--polygon", options->polygon, "Build the cells alone that a polygon meets: x,y x,y x,y … [m]")
+      ->delimiter(',')
+      ->type_size(2)
+      ->expected(-3);
+  command->add_option("--update", options->update, "Alignability map, made alike, to take the other cells from");
   command->add_flag("--json", options->json, "Print JSON");
   command
       ->add_option("-o,--output", options->output,
@@ -124,7 +161,10 @@ void add_map(CLI::App& app, Work& work) {
       "Examples:\n"
       "  alignability map --scene maps/warehouse/warehouse.sdf --occupancy maps/warehouse/occupancy.yaml \\\n"
       "    --sensor maps/sensors/hdl32e.yaml --range-max 6.5 --samples 1 -o warehouse\n"
-      "  alignability map --scene office.dae --occupancy office.yaml --sensor maps/sensors/os1-64.yaml --seed 7 -o office");
+      "  alignability map --scene office.dae --occupancy office.yaml --sensor maps/sensors/os1-64.yaml --seed 7 -o office\n"
+      "  alignability map --scene changed.sdf --occupancy changed.yaml --sensor maps/sensors/hdl32e.yaml --range-max 6.5 --samples 1 \\\n"
+      "    --polygon 20,10 40,10 40,30 20,30 --update warehouse.yaml -o warehouse\n"
+      "A change is seen as far away as the sensor sees: let the polygon reach so far around it.");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }
 

@@ -2,10 +2,12 @@
 #include <chrono>
 #include <cstdio>
 #include <iostream>
+#include <span>
 
 #include "alignability/alignability.hpp"
 #include "cli/command.hpp"
 #include "cli/json.hpp"
+#include "cli/reading_text.hpp"
 #include "cli/scoring_options.hpp"
 #include "core/input_error.hpp"
 #include "core/range.hpp"
@@ -34,19 +36,23 @@ void draw(const Scan& scan, const ScoredScan& scored, const std::filesystem::pat
   draw_scan(scan.points, scored.plane_of_point, picture, png);
 }
 
-void print_row(const std::filesystem::path& file, const Alignability& score, double seconds) {
+void print_row(const std::filesystem::path& file, const Alignability& score, std::span<const Reading> readings, double seconds) {
   const Eigen::Vector3d& weakest = score.weakest_direction;
-  std::printf("%-28s %8zu %7.4f %7d %6d   (%5.2f, %5.2f, %5.2f) %8.2f\n", file.filename().c_str(), score.points, score.alpha,
+  std::printf("%-28s %8zu %7.4f %7d %6d   (%5.2f, %5.2f, %5.2f) %8.3f", file.filename().c_str(), score.points, score.alpha,
               score.planes_found, score.planes_kept, weakest.x(), weakest.y(), weakest.z(), seconds);
+  for (const Reading reading : readings) std::printf("  %8s", reading_text(reading, score.readings).c_str());
+  std::printf("\n");
 }
 
-void print_header() {
-  std::printf("%-28s %8s %7s %7s %6s   %-22s %7s\n", "scan", "points", "alpha", "planes", "kept", "weakest direction", "seconds");
+void print_header(std::span<const Reading> readings) {
+  std::printf("%-28s %8s %7s %7s %6s   %-22s %8s", "scan", "points", "alpha", "planes", "kept", "weakest direction", "seconds");
+  for (const Reading reading : readings) std::printf("  %8s", std::string(to_string(reading)).c_str());
+  std::printf("\n");
 }
 
 int run(Options options) {
   if (options.picture && options.scans.size() > 1) throw std::invalid_argument("--picture draws one scan; give one");
-  if (options.sensor) options.alignability.segmentation.range_min = read_lidar_model(*options.sensor).range_min;
+  if (options.sensor) options.alignability = for_lidar(options.alignability, read_lidar_model(*options.sensor));
   Scorer scorer(options.alignability);
   std::vector<Json> objects;
   for (const std::filesystem::path& file : options.scans) {
@@ -56,10 +62,10 @@ int run(Options options) {
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
     if (options.picture) draw(scan, scored, file, *options.picture);
     if (options.json) {
-      objects.push_back(score_json(file, scored.alignability, options.alignability.segmentation.engine, seconds));
+      objects.push_back(score_json(file, scored.alignability, options.alignability, seconds));
     } else {
-      if (&file == &options.scans.front()) print_header();
-      print_row(file, scored.alignability, seconds);
+      if (&file == &options.scans.front()) print_header(options.alignability.readings);
+      print_row(file, scored.alignability, options.alignability.readings, seconds);
     }
   }
   if (options.json) print(objects);
@@ -72,13 +78,14 @@ void add_score(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
   command->add_option("scans", options->scans, "PCD or PLY files")->required();
-  command->add_option("--sensor", options->sensor, "Sensor file, for its minimum range (0.5 m without)");
+  command->add_option("--sensor", options->sensor, "Sensor file: least range, noise and mount (without: 0.5 m, 2 cm, upright)");
   add_scoring_options(*command, options->alignability);
   command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a PNG");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Examples:\n"
       "  alignability score scan.pcd --picture scan.png\n"
+      "  alignability score scan.pcd --readings robust,information --sensor maps/sensors/hdl32e.yaml\n"
       "  alignability score scans/*.pcd --json");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

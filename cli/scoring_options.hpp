@@ -7,7 +7,7 @@
 
 namespace alignability::cli {
 
-/// Adds what says how scans are scored: --engine, --stride, --centred.
+/// Adds what says how scans are scored: --engine, --stride, --centred, --readings.
 void add_scoring_options(CLI::App& command, AlignabilityOptions& options);
 
 }  // namespace alignability::cli

@@ -17,27 +17,30 @@ namespace {
 
 CellValue value_of(std::size_t cell) {
   const auto number = static_cast<float>(cell);
-  return {1.0f / number, number, 0.1f * number, {number, std::nanf(""), -number}};
+  return {1.0f / number, number, 0.1f * number, number, std::nanf(""), -number, 7.0f};
 }
 
-bool same_bits(const CellValue& a, const CellValue& b) { return std::memcmp(&a, &b, sizeof a) == 0; }
+bool same_bits(const CellValue& a, const CellValue& b) {
+  return a.size() == b.size() && std::memcmp(a.data(), b.data(), a.size() * sizeof(float)) == 0;
+}
 
 class CheckpointTest : public testing::Test {
  protected:
   static constexpr std::uint64_t kFingerprint = 0x1234567890abcdef;
   static constexpr std::size_t kCells = 10;
+  static constexpr std::size_t kValues = 7;
   static constexpr std::size_t kHeader = 34;
 
   std::string written() {
     {
-      Checkpoint checkpoint(file, kFingerprint);
+      Checkpoint checkpoint(file, kFingerprint, kValues);
       for (std::size_t cell = 1; cell <= kCells; ++cell) checkpoint.append(cell, value_of(cell));
     }
     return read_file(file, 1 << 20);
   }
   // How many of the first cells it finds, each as it was.
   std::size_t found() {
-    const Checkpoint checkpoint(file, kFingerprint);
+    const Checkpoint checkpoint(file, kFingerprint, kValues);
     for (std::size_t cell = 1; cell <= checkpoint.found().size(); ++cell) {
       EXPECT_TRUE(checkpoint.found().contains(cell) && same_bits(checkpoint.found().at(cell), value_of(cell))) << cell;
     }
@@ -45,7 +48,7 @@ class CheckpointTest : public testing::Test {
   }
   std::string refusal(std::uint64_t fingerprint = kFingerprint) {
     try {
-      const Checkpoint checkpoint(file, fingerprint);
+      const Checkpoint checkpoint(file, fingerprint, kValues);
     } catch (const InputError& error) {
       return error.what();
     }
@@ -70,7 +73,7 @@ TEST_F(CheckpointTest, CutAnywhereKeepsTheCellsBeforeTheCutAndGoesOn) {
     const std::size_t expected = size < kHeader ? 0 : (size - kHeader) / record;
     ASSERT_EQ(found(), expected) << "cut at " << size;
     {
-      Checkpoint checkpoint(file, kFingerprint);
+      Checkpoint checkpoint(file, kFingerprint, kValues);
       checkpoint.append(expected + 1, value_of(expected + 1));
     }
     ASSERT_EQ(found(), expected + 1) << "cut at " << size;
@@ -99,7 +102,7 @@ TEST_F(CheckpointTest, OfAnotherBuildOrNoneOfOursIsRefusedAndLeftAlone) {
 }
 
 TEST_F(CheckpointTest, IsHeldByOneBuildAtATime) {
-  const Checkpoint first(file, kFingerprint);
+  const Checkpoint first(file, kFingerprint, kValues);
   EXPECT_THAT(refusal(), testing::HasSubstr("is held by another build that is under way"));
 }
 

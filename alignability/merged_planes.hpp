@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Core>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "alignability/segment_shape.hpp"
+#include "lidar/scan.hpp"
+
+namespace alignability::detail {
+
+/// What a scan saw of one plane: segments that lie in it to within 30° and 5 cm, apart from one another for whatever reason. In the `lidar`
+/// frame.
+struct MergedPlane {
+  std::vector<std::int32_t> members;     ///< places in the scan
+  std::vector<Eigen::Vector3d> normals;  ///< of the members that have one
+  SegmentShape shape;
+  /// The plane's own, from which noise makes the normals of its points lean: unit, towards the sensor. It is the narrowest axis of the
+  /// points; where they are no wider than noise, a strip, the principal axis of their normals.
+  Eigen::Vector3d own_normal;
+  int segments = 1;
+
+  double count() const { return static_cast<double>(normals.size()); }
+};
+
+/// The largest segments first, each takes in those that lie in its plane. By normals, the most first. `range_stddev` is the lidar's noise
+/// [m]; `normals` are the points'. O(points + segments²).
+std::vector<MergedPlane> merged_planes(const Scan& scan, std::vector<std::vector<std::int32_t>> segments,
+                                       std::span<const Eigen::Vector3f> normals, double range_stddev);
+
+}  // namespace alignability::detail
