@@ -10,7 +10,7 @@ namespace {
 constexpr float kLeastRadius2 = 1e-12f;
 constexpr float kMostRadius2 = 1e37f;  // holds every point, and not the empty slots
 // Neighbouring points' radii differ: what holds the next eight's neighbours as a rule.
-constexpr float kRadiusMargin = 1.3f;
+constexpr float kRadiusMargin = 1.2f;
 constexpr float kWidening = 2.0f;
 
 RawBoxes raw(const Boxes& boxes) {

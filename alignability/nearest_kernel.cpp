@@ -41,20 +41,28 @@ ALIGNABILITY_INLINE void find_distances2(const float* coordinates, const std::in
   }
 }
 
+// `count` is a whole number of eights.
 ALIGNABILITY_INLINE Ints count_within(const float* distances2, int count, Floats bounds) {
-  Ints even = {};
-  Ints odd = {};
-  for (int i = 0; i < count; i += 2) {
-    even -= load(distances2 + kLanes * i) <= bounds;
-    odd -= load(distances2 + kLanes * (i + 1)) <= bounds;
+  Ints counts[4] = {};
+  for (const float* end = distances2 + kLanes * count; distances2 != end; distances2 += 8 * kLanes) {
+    for (int i = 0; i < 8; ++i) counts[i % 4] -= load(distances2 + kLanes * i) <= bounds;
   }
-  return even + odd;
+  return (counts[0] + counts[1]) + (counts[2] + counts[3]);
 }
 
 ALIGNABILITY_INLINE bool any(Ints lanes) {
-  std::int32_t sum = 0;
-  for (int lane = 0; lane < kLanes; ++lane) sum |= lanes[lane];
-  return sum != 0;
+  std::uint64_t pairs[kLanes / 2];
+  __builtin_memcpy(pairs, &lanes, sizeof lanes);
+  return (pairs[0] | pairs[1] | pairs[2] | pairs[3]) != 0;
+}
+
+// Of 32 candidates those within the bounds, the first in the lowest bit.
+ALIGNABILITY_INLINE Ints bits_within(const float* distances2, Floats bounds) {
+  using Words = std::uint32_t __attribute__((vector_size(4 * kLanes)));
+  Words words = {};
+#pragma GCC unroll 8
+  for (int i = 0; i < 32; ++i) words = words >> 1 | ((Words)(load(distances2 + kLanes * i) <= bounds) & 0x80000000U);
+  return (Ints)words;
 }
 
 // Points on a surface lie within a squared distance in proportion to it, so bounds are sought by interpolation; by halves in turn, for
@@ -82,9 +90,8 @@ ALIGNABILITY_INLINE bool select_all(const float* distances2, int count, int want
   store(bounds, high);
   store(found, within_high);
   for (int first = 0; first < count; first += 32, bits += kLanes) {
-    Ints word = {};
-    for (int b = 0; b < 32; ++b) word |= (load(distances2 + kLanes * (first + b)) <= high) & static_cast<std::int32_t>(1U << b);
-    __builtin_memcpy(bits, &word, sizeof word);
+    const Ints words = bits_within(distances2 + kLanes * first, high);
+    __builtin_memcpy(bits, &words, sizeof words);
   }
   return true;
 }

@@ -23,7 +23,8 @@ struct Boxes {
 };
 
 /// The points of a scan, near ones near one another in memory, in blocks of eight; a tree of boxes over the blocks, sixteen to one above.
-/// An organized scan keeps its order, ring by ring; another is halved along its longest side until eight are left.
+/// The blocks of an organized scan are pieces of its rings, tile by tile; another scan is halved along its longest side until eight points
+/// are left.
 class PointBlocks {
  public:
   static constexpr int kBlock = 8;
@@ -50,6 +51,7 @@ class PointBlocks {
   };
 
   void keep_order(int columns);
+  void tile(int columns);
   void halve(std::span<Kept> part);
   void pad_block();
   void build_boxes();

@@ -70,12 +70,17 @@ AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const L
   return build_alignability_map(scene, occupancy, lidar, options);
 }
 
+void check_choice(const Options& options) {
+  if (options.cells.size() % 2 != 0) throw std::invalid_argument("--cells: takes pairs of column,row");
+  if (options.polygon.size() % 2 != 0) throw std::invalid_argument("--polygon: takes pairs of x,y");
+  if (options.update && options.cells.empty() && options.polygon.empty()) {
+    throw std::invalid_argument("--update takes --cells or --polygon: what to build anew");
+  }
+}
+
 // Those that are to be built, where not all are.
 std::optional<std::vector<Cell>> chosen_cells(const Options& options, const GridGeometry& occupancy) {
-  if (options.cells.empty() && options.polygon.empty()) {
-    if (options.update) throw std::invalid_argument("--update takes --cells or --polygon: what to build anew");
-    return std::nullopt;
-  }
+  if (options.cells.empty() && options.polygon.empty()) return std::nullopt;
   const GridGeometry geometry = alignability_geometry(occupancy, options.map.resolution);
   std::vector<Eigen::Vector2d> corners;
   for (std::size_t i = 0; i < options.polygon.size(); i += 2) corners.emplace_back(options.polygon[i], options.polygon[i + 1]);
@@ -89,7 +94,16 @@ std::optional<std::vector<Cell>> chosen_cells(const Options& options, const Grid
   return cells;
 }
 
+// At the start rather than at the end.
+void refuse_unless_alike(const AlignabilityMap& before, const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+                         MapOptions options) {
+  options.checkpoint.reset();
+  options.cells.emplace();
+  updated(before, build_alignability_map(scene, occupancy, lidar, options), *options.cells);
+}
+
 int build_and_store(Options options) {
+  check_choice(options);
   const Interrupt interrupt;
   const auto begin = std::chrono::steady_clock::now();
   const LidarModel lidar = read_lidar_model(options.sensor);
@@ -99,6 +113,7 @@ int build_and_store(Options options) {
   options.map.cells = chosen_cells(options, occupancy.geometry());
   const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;
   options.map.stop = interrupt.token();
+  if (before) refuse_unless_alike(*before, scene, occupancy, lidar, options.map);
   const std::filesystem::path name = output_name(options.output);
   options.map.checkpoint = with_ending(name, ".part");
   AlignabilityMap map = build(scene, occupancy, lidar, options.map);
@@ -142,14 +157,8 @@ void add_map(CLI::App& app, Work& work) {
   command->add_option("--seed", options->map.seed, "Seed of places and range noise")->capture_default_str();
   command->add_option("--threads", options->map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_scoring_options(*command, options->map.alignability);
-  command->add_option("--cells", options->cells, "Build these cells alone: column,row from the lower left, from 0")
-      ->delimiter(',')
-      ->type_size(2)
-      ->expected(-1);
-  command->add_option("--polygon", options->polygon, "Build the cells alone that a polygon meets: x,y x,y x,y … [m]")
-      ->delimiter(',')
-      ->type_size(2)
-      ->expected(-3);
+  command->add_option("--cells", options->cells, "Build these cells alone: column,row from the lower left, from 0")->delimiter(',');
+  command->add_option("--polygon", options->polygon, "Build the cells alone that a polygon meets: x,y x,y x,y … [m]")->delimiter(',');
   command->add_option("--update", options->update, "Alignability map, made alike, to take the other cells from");
   command->add_flag("--json", options->json, "Print JSON");
   command

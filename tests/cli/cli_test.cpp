@@ -83,6 +83,51 @@ TEST_F(Cli, ScansAndScores) {
   EXPECT_EQ(several.size(), 2u);
 }
 
+TEST_F(Cli, ReadsAScanInOtherWaysWhenAsked) {
+  ASSERT_EQ(run({"scan", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--at", "1.5,1.5,0", "-o", "scan.pcd"}).exit_code, 0);
+  const std::vector<std::string> score{"score", "scan.pcd", "--sensor", "sensor.yaml", "--readings", "information,robust"};
+  EXPECT_THAT(run(score).out, testing::ContainsRegex("seconds +robust +information\n"));
+  const json read = json::parse(run(score, {"--json"}).out);
+  EXPECT_GT(read["robust"].get<double>(), 0.1);
+  EXPECT_THAT(keys(read["information"]), testing::UnorderedElementsAre("least", "weakest_direction", "yaw", "matrix"));
+  EXPECT_GT(read["information"]["least"].get<double>(), 1e4);
+  EXPECT_FALSE(read.contains("voxel"));
+  const json explained =
+      json::parse(run({"explain", "1.5,1.5", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--readings", "robust", "--json"}).out);
+  EXPECT_EQ(explained["robust"], read["robust"]);
+}
+
+TEST_F(Cli, KeepsEachReadingInALayerOfItsOwn) {
+  ASSERT_EQ(run(kOccupancy).exit_code, 0);
+  ASSERT_EQ(run(kMap, {"--readings", "centred,voxel,robust,information"}).exit_code, 0);
+  EXPECT_THAT(bytes("alignability.yaml"),
+              HasSubstr("[alpha, samples, iqr, weak_x, weak_y, weak_z, centred, voxel, robust, information, information_yaw, "
+                        "information_x, information_y]"));
+  EXPECT_THAT(bytes("alignability.yaml"), HasSubstr("range_stddev: 0.005"));
+}
+
+TEST_F(Cli, RebuildsAPartOfAMapToTheBytesOfTheWhole) {
+  make_maps();
+  const std::string whole = bytes("alignability.tiff");
+  ASSERT_EQ(run(kMap, {"--cells", "0,0", "3,1"}).exit_code, 0);
+  EXPECT_NE(bytes("alignability.tiff"), whole);
+  std::vector<std::string> rest = kMap;
+  rest.back() = "rest";
+  ASSERT_EQ(run(rest, {"--polygon", "-1,-1", "9,-1", "9,7", "-1,7", "--update", "alignability.yaml"}).exit_code, 0);
+  EXPECT_EQ(bytes("rest.tiff"), whole);
+  EXPECT_THAT(bytes("rest.yaml"), HasSubstr("update_of: alignability.yaml"));
+  ASSERT_EQ(run(rest, {"--cells", "0,0", "--update", "rest.yaml"}).exit_code, 0);
+  EXPECT_EQ(bytes("rest.tiff"), whole);
+}
+
+TEST_F(Cli, RefusesToUpdateAMapThatWasMadeOtherwise) {
+  make_maps();
+  const test::Outcome outcome = run(kMap, {"--cells", "0,0", "--update", "alignability.yaml", "--range-max", "5"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "alignability: the map to update was made with another choice of options\n");
+  EXPECT_FALSE(exists("alignability.part"));
+}
+
 TEST_F(Cli, ExplainsTheAlphaThatScanAndScoreGive) {
   ASSERT_EQ(
       run({"scan", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--at", "1.5,1.5,0", "--seed", "7", "-o", "scan.pcd"}).exit_code, 0);
