@@ -73,27 +73,21 @@ void PointBlocks::keep_order(int columns) {
 // Tiles of 4 × 4 blocks of four rings, and tiles of 4 × 4 of these, are boxes that hold little but what is near one another, where a row of
 // blocks along a ring would reach around half the sensor.
 void PointBlocks::tile(int columns) {
-  struct Placed {
-    std::uint64_t tile;
-    std::int32_t block;
-    auto operator<=>(const Placed&) const = default;
-  };
-  std::vector<Placed> order;
+  order_.clear();
   for (std::int32_t block = 0; block < blocks(); ++block) {
     const std::int32_t first = scan_index_[static_cast<std::size_t>(block) * kBlock];
     const auto ring = static_cast<std::uint64_t>(first / columns);
     const auto column = static_cast<std::uint64_t>(first % columns);
     const std::uint64_t large = (ring >> 4) << 32 | column >> 7;
-    order.push_back({(((large << 2 | (ring >> 2 & 3)) << 2 | (column >> 5 & 3)) << 2 | (ring & 3)) << 7 | (column & 127), block});
+    order_.push_back({(((large << 2 | (ring >> 2 & 3)) << 2 | (column >> 5 & 3)) << 2 | (ring & 3)) << 7 | (column & 127), block});
   }
-  std::ranges::sort(order);
-  std::vector<std::int32_t> tiled;
-  tiled.reserve(scan_index_.size());
-  for (const Placed& placed : order) {
+  std::ranges::sort(order_);
+  tiled_.clear();
+  for (const Placed& placed : order_) {
     const auto begin = scan_index_.begin() + static_cast<std::ptrdiff_t>(placed.block) * kBlock;
-    tiled.insert(tiled.end(), begin, begin + kBlock);
+    tiled_.insert(tiled_.end(), begin, begin + kBlock);
   }
-  scan_index_.swap(tiled);
+  scan_index_.swap(tiled_);
 }
 
 void PointBlocks::halve(std::span<Kept> part) {

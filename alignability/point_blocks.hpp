@@ -50,6 +50,13 @@ class PointBlocks {
     std::int32_t index;
   };
 
+  // A block and the tile that it belongs to.
+  struct Placed {
+    std::uint64_t tile;
+    std::int32_t block;
+    auto operator<=>(const Placed&) const = default;
+  };
+
   void keep_order(int columns);
   void tile(int columns);
   void halve(std::span<Kept> part);
@@ -57,6 +64,8 @@ class PointBlocks {
   void build_boxes();
 
   std::vector<Kept> kept_;
+  std::vector<Placed> order_;
+  std::vector<std::int32_t> tiled_;
   std::vector<std::int32_t> scan_index_;
   std::vector<float> coordinates_;
   std::vector<Boxes> levels_;

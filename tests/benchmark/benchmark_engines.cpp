@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cstdio>
+#include <iterator>
 #include <numeric>
 #include <random>
 #include <string>
@@ -14,6 +15,7 @@
 
 #include "alignability/alignability.hpp"
 #include "core/distribution.hpp"
+#include "core/range.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
 #include "lidar/scene.hpp"
@@ -48,6 +50,7 @@ struct Timed {
 };
 
 struct Row {
+  std::string scan;
   Timed pcl;
   Timed native;
   Timed strided;
@@ -75,8 +78,9 @@ Scan jittered(Scan scan, std::mt19937_64& engine) {
   return scan;
 }
 
-Row measure(Engines& engines, const Scan& scan, std::mt19937_64& engine) {
+Row measure(std::string name, Engines& engines, const Scan& scan, std::mt19937_64& engine) {
   Row row;
+  row.scan = std::move(name);
   row.native = timed(*engines.native, scan);
   row.strided = timed(*engines.strided, scan);
   row.pcl = timed(*engines.pcl, scan);
@@ -135,6 +139,9 @@ void print(const std::string& what, const std::vector<Row>& rows) {
   std::printf("  native off PCL     median %.5f, 99 %% %.5f, max %.5f; within max(0.005, own) %.1f %%; Spearman %.5f\n",
               off(&Row::native, 0.5), off(&Row::native, 0.99), off(&Row::native, 1.0),
               100.0 * static_cast<double>(within) / static_cast<double>(rows.size()), spearman(alpha(&Row::native), alpha(&Row::pcl)));
+  const Row& worst = std::ranges::max(rows, {}, [](const Row& row) { return std::abs(row.native.alpha - row.pcl.alpha); });
+  std::printf("  most off           %s: PCL %.5f, native %.5f, PCL's own spread %.5f\n", worst.scan.c_str(), worst.pcl.alpha,
+              worst.native.alpha, worst.own_spread);
   std::printf("  stride %d off PCL   median %.5f, 99 %% %.5f, max %.5f; Spearman %.5f\n", kStride, off(&Row::strided, 0.5),
               off(&Row::strided, 0.99), off(&Row::strided, 1.0), spearman(alpha(&Row::strided), alpha(&Row::pcl)));
   const double pcl = median_ms(&Row::pcl);
@@ -144,10 +151,15 @@ void print(const std::string& what, const std::vector<Row>& rows) {
               median_ms(&Row::native_unorganized), median_ms(&Row::pcl_unorganized) / median_ms(&Row::native_unorganized));
 }
 
+std::string place_text(const Eigen::Isometry3d& T_map_lidar) {
+  return fixed_text(T_map_lidar.translation().x(), 2) + ", " + fixed_text(T_map_lidar.translation().y(), 2);
+}
+
 void simulate(int places, const std::string& world, const std::string& sensor, std::optional<double> range_max) {
   const Scene scene(read_world(world).meshes);
   LidarModel lidar = read_lidar_model(sensor);
   Engines engines(lidar.range_min);
+  std::vector<Row> all;
   for (const double stddev : {0.0, 0.008, 0.02}) {
     lidar.range_stddev = stddev;
     std::mt19937_64 engine(1);
@@ -159,10 +171,12 @@ void simulate(int places, const std::string& world, const std::string& sensor, s
       }
       if (!scene.is_free(pose.translation().cast<float>(), 0.1f)) continue;
       const Scan scan = simulate_scan(scene, lidar, pose, {.range_max = range_max}, NoiseKey{.seed = 1, .cell = rows.size(), .sample = 0});
-      rows.push_back(measure(engines, scan, engine));
+      rows.push_back(measure(place_text(pose), engines, scan, engine));
     }
-    print(world + ", noise " + std::to_string(100.0 * stddev).substr(0, 4) + " cm", rows);
+    print(world + ", noise " + fixed_text(100.0 * stddev, 1) + " cm", rows);
+    std::ranges::move(rows, std::back_inserter(all));
   }
+  print(world + ", all", all);
 }
 
 int run(const std::vector<std::string>& words) {
@@ -177,7 +191,7 @@ int run(const std::vector<std::string>& words) {
   Engines engines(0.5);
   std::mt19937_64 engine(1);
   std::vector<Row> rows;
-  for (const std::string& file : words) rows.push_back(measure(engines, read_scan_file(file), engine));
+  for (const std::string& file : words) rows.push_back(measure(file, engines, read_scan_file(file), engine));
   print("recorded", rows);
   return 0;
 }

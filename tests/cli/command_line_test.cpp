@@ -78,8 +78,6 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"map --scene a --occupancy b --sensor c -o x --stride 5", "alignability: --stride: Value 5 not in range 1 to 4"},
         Fault{"map --scene a --occupancy b --sensor c -o x --readings robust,sturdy",
               "alignability: --readings: sturdy not in {centred,voxel,robust,information}"},
-        Fault{"map --scene world.sdf --occupancy b --sensor sensor.yaml -o x --cells 1",
-              "alignability: --cells: 2 required for INT missing"},
         Fault{"scan --scene a --sensor b -o x --at 1,2,0 --floor nan", "alignability: --floor: must be a finite number, not nan"},
         Fault{"score a.pcd b.pcd --picture x.png", "alignability: --picture draws one scan; give one"}));
 
