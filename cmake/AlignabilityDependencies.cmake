@@ -6,7 +6,7 @@
 #
 # A package is written as find_package takes it. Those called Alignability… are find modules beside this file.
 
-set(alignability_rooms core costmap planner lidar alignability pictures cli)  # in the order the data flows: an arrow never points back
+set(alignability_rooms core costmap planner lidar alignability localization pictures cli)  # in the order the data flows: an arrow never points back
 
 set(alignability_core_public "Eigen3 3.4 CONFIG")
 set(alignability_core_private yaml-cpp)
@@ -24,10 +24,13 @@ set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat
 set(alignability_alignability_beneath costmap lidar)
 set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)
 
+set(alignability_localization_beneath core)
+set(alignability_localization_private "Boost 1.74 CONFIG")
+
 set(alignability_pictures_beneath costmap)
 set(alignability_pictures_private AlignabilityCairomm)
 
-set(alignability_cli_beneath alignability planner pictures)
+set(alignability_cli_beneath alignability localization planner pictures)
 set(alignability_cli_private CLI11 nlohmann_json)
 
 # alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <random>
+#include <span>
+#include <vector>
+
+#include "core/pose.hpp"
+#include "localization/ndt.hpp"
+
+namespace alignability {
+
+/// How far a motion may lead elsewhere than odometry has it: standard deviations along x and y of `base_link` [m] and of yaw [rad], in
+/// proportion to the metres driven and, on top, to the radians turned.
+struct MotionNoise {
+  Pose2 per_metre{0.05, 0.05, 0.01};
+  Pose2 per_radian{0.1, 0.01, 0.1};
+};
+
+/// How the matches of a scan's cells make a weight.
+enum class CellCombination {
+  sum,      ///< 1 + Σ: as published and implemented; flat
+  product,  ///< Π: of independent cells, each with an outlier floor
+};
+
+struct NdtMclOptions {
+  int particles = 100;
+  CellCombination combination = CellCombination::sum;
+  MotionNoise noise = {};
+  double least_height = 0.2;    ///< scan cells lower than this above `base_link` [m] are skipped: the floor tells x, y and yaw nothing
+  double resample_below = 0.5;  ///< particles are drawn anew when their effective number falls below this share,
+  int resample_after = 25;      ///< or after so many scans
+};
+
+struct Particle {
+  Pose2 pose;
+  double weight;
+};
+
+/// What a match is worth: 0.1 + 0.9·exp(−0.05·d²/2), d the Mahalanobis distance of the two means under both covariances; 0.1 where the map
+/// has no cell.
+double match_score(double distance2);
+
+/// Monte Carlo localization on a normal distributions transform (Saarinen et al. 2013): particles of (x, y, yaw), weighted by how well the
+/// NDT of a scan lies on that of the map. The same seed gives the same particles. Not for several threads.
+class NdtMcl {
+ public:
+  /// Particles around a start, normally distributed by the deviations. Throws std::invalid_argument for options out of range.
+  NdtMcl(std::shared_ptr<const Ndt> map, const Pose2& start, const Pose2& deviations, const NdtMclOptions& options, std::uint64_t seed);
+
+  /// Takes the motion that odometry reports, from the last pose's frame.
+  void move(const Pose2& motion);
+  /// Takes what the lidar sees, its points in the frame of `base_link`. O(particles · cells of the scan).
+  void see(const Ndt& scan);
+
+  /// The particles' mean.
+  Pose2 estimate() const;
+  /// Their weights add up to 1.
+  std::span<const Particle> particles() const { return particles_; }
+
+ private:
+  double normal();
+  void resample();
+
+  std::shared_ptr<const Ndt> map_;
+  NdtMclOptions options_;
+  std::mt19937_64 engine_;
+  std::vector<Particle> particles_;
+  int seen_ = 0;  // since particles were drawn
+};
+
+/// The pose reached from `pose` by a motion in its frame.
+Pose2 moved(const Pose2& pose, const Pose2& motion);
+
+}  // namespace alignability

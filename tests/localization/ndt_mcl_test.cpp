@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "localization/ndt_mcl.hpp"
+
+#include <gtest/gtest.h>
+
+#include <Eigen/LU>
+#include <cmath>
+#include <random>
+#include <stdexcept>
+
+namespace alignability {
+namespace {
+
+constexpr Pose2 kExactly{0.0, 0.0, 0.0};
+
+std::vector<Eigen::Vector3f> cloud_about(const Eigen::Vector3f& center, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::normal_distribution<float> normal(0.0f, 0.03f);
+  std::vector<Eigen::Vector3f> points;
+  for (int i = 0; i < 50; ++i) points.emplace_back(center + Eigen::Vector3f(normal(engine), normal(engine), normal(engine)));
+  return points;
+}
+
+TEST(MatchScore, IsOneAtTheMeanAndATenthFarAway) {
+  EXPECT_EQ(match_score(0.0), 1.0);
+  EXPECT_NEAR(match_score(40.0), 0.1 + 0.9 * std::exp(-1.0), 1e-15);
+  EXPECT_EQ(match_score(std::numeric_limits<double>::infinity()), 0.1);
+}
+
+TEST(Moved, GoesInThePosesOwnFrame) {
+  const Pose2 pose = moved({1.0, 2.0, radians(90)}, {3.0, 1.0, radians(100)});
+  EXPECT_NEAR(pose.x, 0.0, 1e-12);
+  EXPECT_NEAR(pose.y, 5.0, 1e-12);
+  EXPECT_NEAR(pose.yaw, radians(-170), 1e-12);
+}
+
+TEST(NdtMcl, WeighsParticlesByHandComputedScores) {
+  // One cell seen, half-way up; two particles stand where it matches with a known distance, or misses the map.
+  const auto map = std::make_shared<const Ndt>(cloud_about({2.2f, 0.2f, 1.0f}, 1), NdtOptions{.cell = 0.4});
+  const Ndt scan(cloud_about({2.2f, 0.2f, 1.0f}, 2), {.cell = 0.4});
+  ASSERT_EQ(scan.cells().size(), map->cells().size());
+  const NdtCell& there = map->cells()[0];
+  const NdtCell& seen = scan.cells()[0];
+  const Eigen::Vector3d apart = seen.mean - there.mean;
+  const double d2 = apart.dot((there.covariance + seen.covariance).inverse() * apart);
+  for (const CellCombination combination : {CellCombination::sum, CellCombination::product}) {
+    const double on = combination == CellCombination::sum ? 1.0 + match_score(d2) : match_score(d2);
+    const double off = combination == CellCombination::sum ? 1.0 : 0.1;
+    // Two particles, 5 m apart: one at the origin, wherever the seed puts the other.
+    NdtMcl mcl(map, {0.0, 0.0, 0.0}, kExactly, {.particles = 1, .combination = combination}, 1);
+    mcl.see(scan);
+    EXPECT_EQ(mcl.particles()[0].weight, 1.0);
+    NdtMclOptions options{.particles = 200, .combination = combination, .resample_below = 0.0};
+    NdtMcl spread(map, {0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, options, 2);
+    spread.see(scan);
+    double least = 1.0;
+    for (const Particle& particle : spread.particles()) least = std::min(least, particle.weight);
+    for (const Particle& particle : spread.particles()) {
+      EXPECT_GE(particle.weight, least);
+      EXPECT_LE(particle.weight / least, (combination == CellCombination::sum ? 2.0 : 1.0) / off + 1e-9);
+    }
+    EXPECT_GT(on, off);
+  }
+}
+
+TEST(NdtMcl, FollowsOdometryToTheLetterWithoutNoise) {
+  const auto map = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  NdtMclOptions options;
+  options.noise = {.per_metre = kExactly, .per_radian = kExactly};
+  NdtMcl mcl(map, {1.0, 1.0, 0.0}, kExactly, options, 1);
+  Pose2 truth{1.0, 1.0, 0.0};
+  for (int step = 0; step < 50; ++step) {
+    mcl.move({0.1, 0.0, 0.05});
+    truth = moved(truth, {0.1, 0.0, 0.05});
+  }
+  EXPECT_NEAR(mcl.estimate().x, truth.x, 1e-9);
+  EXPECT_NEAR(mcl.estimate().y, truth.y, 1e-9);
+  EXPECT_NEAR(normalized_angle(mcl.estimate().yaw - truth.yaw), 0.0, 1e-9);
+}
+
+TEST(NdtMcl, SpreadsWithTheWayAsTheMotionNoiseSays) {
+  const auto map = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  NdtMclOptions options{.particles = 20000};
+  options.noise = {.per_metre = {0.05, 0.02, 0.0}, .per_radian = kExactly};
+  NdtMcl mcl(map, {}, kExactly, options, 3);
+  mcl.move({2.0, 0.0, 0.0});
+  double xx = 0.0, yy = 0.0;
+  for (const Particle& particle : mcl.particles()) {
+    xx += particle.weight * (particle.pose.x - 2.0) * (particle.pose.x - 2.0);
+    yy += particle.weight * particle.pose.y * particle.pose.y;
+  }
+  EXPECT_NEAR(std::sqrt(xx), 0.1, 0.003);
+  EXPECT_NEAR(std::sqrt(yy), 0.04, 0.0012);
+}
+
+TEST(NdtMcl, SurvivesAScanOrAMapWithNothingInIt) {
+  const auto nothing = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  NdtMcl mcl(nothing, {}, {0.1, 0.1, 0.1}, {.combination = CellCombination::product}, 1);
+  for (int round = 0; round < 30; ++round) {
+    mcl.see(Ndt(cloud_about({2.2f, 0.2f, 1.0f}, 1), {}));
+    mcl.see(*nothing);
+  }
+  EXPECT_TRUE(std::isfinite(mcl.estimate().x));
+  double sum = 0.0;
+  for (const Particle& particle : mcl.particles()) sum += particle.weight;
+  EXPECT_NEAR(sum, 1.0, 1e-9);
+}
+
+TEST(NdtMcl, RefusesToBeWithoutParticles) {
+  const auto map = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  EXPECT_THROW(NdtMcl(map, {}, {}, {.particles = 0}, 1), std::invalid_argument);
+  EXPECT_THROW(NdtMcl(map, {}, {}, {.resample_after = 0}, 1), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace alignability
