@@ -26,13 +26,7 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
     throw ompl::Exception("AlignabilityObjective", "weight and turn_cost must be at least 0");
   }
   description_ = "Alignability";
-  // A goal of another kind may be met anywhere, for all that is known of it: 0 is the only bound then.
-  setCostToGoHeuristic([projection = projection_](const ob::State* state, const ob::Goal* goal) {
-    const auto* region = dynamic_cast<const PoseGoal*>(goal);
-    if (region == nullptr) return ob::Cost(0.0);
-    const double distance = (projection(state).position() - region->pose().position()).norm();
-    return ob::Cost(std::max(0.0, distance - region->tolerance().position));
-  });
+  setCostToGoHeuristic([this](const ob::State* state, const ob::Goal* goal) { return least_to_go(state, goal); });
 }
 
 void AlignabilityObjective::set_bounds(std::shared_ptr<const RouteBounds> bounds) { bounds_ = std::move(bounds); }
@@ -47,7 +41,10 @@ ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::Stat
 }
 
 ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
-  return ob::Cost((projection_(to).position() - projection_(from).position()).norm());
+  const Pose2 a = projection_(from);
+  const Pose2 b = projection_(to);
+  const double straight = (b.position() - a.position()).norm();
+  return ob::Cost((bounds_ ? std::max(straight, bounds_->between(a.position(), b.position())) : straight) + turning(a, b));
 }
 
 bool AlignabilityObjective::isSymmetric() const {
@@ -66,6 +63,19 @@ ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob
   return std::make_shared<EllipseSampler>(problem, largest_number_of_calls, *goal);
 }
 
+double AlignabilityObjective::turning(const Pose2& from, const Pose2& to) const {
+  return options_.turn_cost * std::abs(normalized_angle(to.yaw - from.yaw));
+}
+
+// A goal of another kind may be met anywhere, for all that is known of it.
+ob::Cost AlignabilityObjective::least_to_go(const ob::State* state, const ob::Goal* goal) const {
+  const auto* region = dynamic_cast<const PoseGoal*>(goal);
+  if (region == nullptr) return ob::Cost(0.0);
+  const Eigen::Vector2d at = projection_(state).position();
+  const double straight = std::max(0.0, (at - region->pose().position()).norm() - region->tolerance().position);
+  return ob::Cost(bounds_ ? std::max(straight, bounds_->to_goal(at)) : straight);
+}
+
 double AlignabilityObjective::least_turning(const ob::ProblemDefinition& problem) const {
   const auto* goal = dynamic_cast<const PoseGoal*>(problem.getGoal().get());
   if (goal == nullptr || problem.getStartStateCount() != 1 || !has_heading(*si_->getStateSpace())) return 0.0;
@@ -75,8 +85,7 @@ double AlignabilityObjective::least_turning(const ob::ProblemDefinition& problem
 
 double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {
   const double length = (to.position() - from.position()).norm();
-  const double turned = std::abs(normalized_angle(to.yaw - from.yaw));
-  return length + options_.weight * risk_->integral(from, to) + options_.turn_cost * turned;
+  return length + options_.weight * risk_->integral(from, to) + turning(from, to);
 }
 
 double AlignabilityObjective::interpolated_cost(const ob::State* from, const ob::State* to) const {

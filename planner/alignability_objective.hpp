@@ -22,8 +22,8 @@ struct ObjectiveOptions {
   double turn_cost = 0.2;  ///< >= 0 [m/rad]
 };
 
-/// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw|. Length is a lower bound of it, so the heuristics are
-/// straight-line distances. Additive under splitting, finite everywhere, symmetric for straight motions. Const and without mutable
+/// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw|. Heuristics are its lower bounds: length and turning, or
+/// what set_bounds gives. Additive under splitting, finite everywhere, symmetric for straight motions. Const and without mutable
 /// state: one objective serves many threads.
 class AlignabilityObjective : public ompl::base::OptimizationObjective {
  public:
@@ -36,7 +36,7 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   /// 1 + w·risk: what a metre costs there.
   ompl::base::Cost stateCost(const ompl::base::State* state) const override;
   ompl::base::Cost motionCost(const ompl::base::State* from, const ompl::base::State* to) const override;
-  /// ‖Δxy‖ [m]: admissible, consistent, symmetric.
+  /// The straight way's length or, with bounds, what they say of the two places, and turning: admissible, consistent, symmetric.
   ompl::base::Cost motionCostHeuristic(const ompl::base::State* from, const ompl::base::State* to) const override;
   bool isSymmetric() const override;
   /// In R² and SE(2): with bounds an InformedFieldSampler, with a PoseGoal an EllipseSampler; else OMPL's, which draws from the whole space
@@ -44,9 +44,8 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr& problem,
                                                            unsigned int largest_number_of_calls) const override;
 
-  /// From now on informed samplers go by bounds for the start and goal of the problem and this objective's weight, so that planners search
-  /// a cost map as narrowly as they search for a short path. Heuristic and cost-to-go stay straight lines: BIT* was measured to stop short
-  /// of the optimum with tighter ones. Not while a planner runs.
+  /// From now on informed samplers, heuristic and cost-to-go go by bounds for the start and goal of the problem and this objective's
+  /// weight, so that planners search a cost map as narrowly as they search for a short path. Not while a planner runs.
   void set_bounds(std::shared_ptr<const RouteBounds> bounds);
   /// nullptr without.
   const std::shared_ptr<const RouteBounds>& bounds() const { return bounds_; }
@@ -57,6 +56,8 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
 
  private:
   double straight_cost(const Pose2& from, const Pose2& to) const;
+  double turning(const Pose2& from, const Pose2& to) const;
+  ompl::base::Cost least_to_go(const ompl::base::State* state, const ompl::base::Goal* goal) const;
   double least_turning(const ompl::base::ProblemDefinition& problem) const;
   double interpolated_cost(const ompl::base::State* from, const ompl::base::State* to) const;
 

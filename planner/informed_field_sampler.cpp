@@ -18,16 +18,17 @@ InformedFieldSampler::InformedFieldSampler(const ob::ProblemDefinitionPtr& probl
       turning_(turning),
       everywhere_(space_->allocStateSampler()) {}
 
-bool InformedFieldSampler::sampleUniform(ob::State* state, const ob::Cost& below) { return sampleUniform(state, ob::Cost(0.0), below); }
+bool InformedFieldSampler::sampleUniform(ob::State* state, const ob::Cost& /*from*/, const ob::Cost& below) {
+  return sampleUniform(state, below);
+}
 
-bool InformedFieldSampler::sampleUniform(ob::State* state, const ob::Cost& from, const ob::Cost& below) {
+bool InformedFieldSampler::sampleUniform(ob::State* state, const ob::Cost& below) {
   const std::size_t cells = bounds_->cells_below(below.value() - turning_);
   if (cells == 0) return false;
   for (unsigned int i = 0; i < numIters_; ++i) {
     const Eigen::AlignedBox2d cell = bounds_->cell(static_cast<std::size_t>(random_.uniformInt(0, static_cast<int>(cells) - 1)));
     const Eigen::Vector2d at = cell.min() + cell.sizes().cwiseProduct(Eigen::Vector2d(random_.uniform01(), random_.uniform01()));
-    const double through = bounds_->through(at) + turning_;
-    if (!(through >= from.value() && through < below.value())) continue;
+    if (!(bounds_->through(at) + turning_ < below.value())) continue;
     everywhere_->sampleUniform(state);
     set_pose(*space_, {at.x(), at.y(), projection_of(space_)(state).yaw}, state);
     if (space_->satisfiesBounds(state)) return true;

@@ -17,6 +17,8 @@ class InformedFieldSampler : public ompl::base::InformedSampler {
                        std::shared_ptr<const RouteBounds> bounds, double turning);
 
   bool sampleUniform(ompl::base::State* state, const ompl::base::Cost& below) override;
+  /// The same, down to `from` or not: bounds are no metric, and a path's places may have lower ones than its start. BIT* asks from its
+  /// heuristic's cost of the whole way on; leaving out what is below kept it from the best places.
   bool sampleUniform(ompl::base::State* state, const ompl::base::Cost& from, const ompl::base::Cost& below) override;
   bool hasInformedMeasure() const override { return true; }
   /// Of the cells that may hold such places.

@@ -25,6 +25,14 @@ RouteBounds::RouteBounds(const DrivableArea& area, double weight, const Eigen::V
   std::ranges::sort(ranked_, {}, [](const Ranked& ranked) { return std::pair(ranked.least, ranked.cell); });
 }
 
+double RouteBounds::between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  const double goal_at_from = to_goal_(from);
+  const double goal_at_to = to_goal_(to);
+  // Of two places that both are cut off nothing is known.
+  if (!std::isfinite(goal_at_from) && !std::isfinite(goal_at_to)) return 0.0;
+  return std::max(std::abs(goal_at_from - goal_at_to), std::abs(from_start_(from) - from_start_(to)));
+}
+
 std::size_t RouteBounds::cells_below(double cost) const {
   const auto end = std::ranges::lower_bound(ranked_, cost, {}, [](const Ranked& ranked) { return static_cast<double>(ranked.least); });
   return static_cast<std::size_t>(end - ranked_.begin());

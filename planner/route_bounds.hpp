@@ -20,6 +20,9 @@ class RouteBounds {
   double to_goal(const Eigen::Vector2d& point) const { return to_goal_(point); }
   /// At most what a path from the start to the goal costs that passes there; infinite likewise.
   double through(const Eigen::Vector2d& point) const { return from_start_(point) + to_goal_(point); }
+  /// At most what getting from one place to another costs: what the two bounds differ by. Admissible, consistent, symmetric; infinite
+  /// where one is cut off from start and goal and the other is not.
+  double between(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   /// The cells through which a path below a cost may pass, their number first to last; they are the first of `cell()`. O(log cells).
   std::size_t cells_below(double cost) const;
   /// The square of one of them [m].

@@ -106,6 +106,43 @@ TEST_P(InformedSet, IsEmptyBelowTheBoundAndAllThatCanBeReachedWithoutOne) {
   }
 }
 
+TEST_P(InformedSet, HoldsPlacesThatAreBetterThanTheHeuristicOfTheWholeWay) {
+  const auto drawn = sampler();
+  const ob::State* start = setup.getProblemDefinition()->getStartState(0);
+  ob::ScopedState<> goal(setup.getStateSpace()), state(setup.getStateSpace());
+  setup.getGoal()->as<ob::GoalSampleableRegion>()->sampleGoal(goal.get());
+  // What BIT* asks for as long as it has no path.
+  const ob::Cost from = objective->motionCostHeuristic(start, goal.get());
+  double least = from.value();
+  for (int i = 0; i < 20000; ++i) {
+    ASSERT_TRUE(drawn->sampleUniform(state.get(), from, objective->infiniteCost()));
+    least = std::min(least, bounds->through(objective->pose_of(state.get()).position()));
+  }
+  EXPECT_LT(least, from.value());
+}
+
+TEST_P(InformedSet, HasAHeuristicAndCostToGoThatAreAdmissibleConsistentAndTighterThanStraightLines) {
+  ob::ScopedState<> a(setup.getStateSpace()), b(setup.getStateSpace());
+  const ob::Goal* goal = setup.getGoal().get();
+  double tightened = 0.0;
+  int motions = 0;
+  for (int i = 0; i < 20000; ++i) {
+    a.random();
+    b.random();
+    if (!setup.getSpaceInformation()->checkMotion(a.get(), b.get()) || !setup.getSpaceInformation()->isValid(a.get())) continue;
+    ++motions;
+    const double cost = objective->motionCost(a.get(), b.get()).value();
+    const double heuristic = objective->motionCostHeuristic(a.get(), b.get()).value();
+    EXPECT_LE(heuristic, cost * (1.0 + 1e-12));
+    EXPECT_EQ(heuristic, objective->motionCostHeuristic(b.get(), a.get()).value());
+    EXPECT_LE(objective->costToGo(a.get(), goal).value(), heuristic + objective->costToGo(b.get(), goal).value() + 1e-12);
+    const double straight = (objective->pose_of(a.get()).position() - objective->pose_of(b.get()).position()).norm();
+    tightened += heuristic - straight;
+  }
+  EXPECT_GT(motions, 1000);
+  EXPECT_GT(tightened / motions, 0.5);
+}
+
 TEST_P(InformedSet, BringsStockPlannersNearTheOptimum) {
   const double least = bounds->to_goal(problem.query.start.position());
   const ob::SpaceInformationPtr si = setup.getSpaceInformation();
