@@ -2,6 +2,8 @@
 #include "planner/cost_bound.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "planner/bucket_queue.hpp"
@@ -9,11 +11,26 @@
 namespace alignability {
 namespace {
 
+using detail::Inside;
+
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr float kNoLimit = std::numeric_limits<float>::infinity();
 
+// What an edge is given at least of what its cost allows. Wherever L hardly grows along an edge, this keeps Dijkstra's ways from changing
+// over for nothing to where limits are lowest.
+constexpr double kLeast = 0.07;
+// How far an edge is bent at most, as a share of what L grows by along it.
+constexpr double kMostBent = 0.25;
+// A cell along which the guide grows by more than the cost over this share of it stays unbent. In all others no limit falls below 0: lean
+// takes at most an eighth of that growth, bending adds at most a quarter to it, and (0.65 − 0.125) / 1.25 of 0.75 is more than 0.25.
+constexpr double kRough = 0.65;
+
+// Of a cell, the values at its corners or of its edges.
 struct Corners {
   double low_left, low_right, high_left, high_right;
+};
+struct Edges {
+  double below, above, left, right;
 };
 
 template <typename T>
@@ -22,79 +39,169 @@ Corners corners(const std::vector<T>& values, std::size_t cell, std::size_t row)
           static_cast<double>(values[cell + row + 1])};
 }
 
-// An edge's value at its share t is linear but for this times t² - t, which makes it grow in proportion to the cost.
-double bend(double from, double to, double cost_from, double cost_to) {
-  return (to - from) * (cost_to - cost_from) / (cost_to + cost_from);
+Edges growth(const std::vector<double>& guide, std::size_t cell, std::size_t row) {
+  const Corners at = corners(guide, cell, row);
+  return {at.low_right - at.low_left, at.high_right - at.high_left, at.high_left - at.low_left, at.high_right - at.low_right};
 }
 
-// What an edge is given at least of what its cost allows. Wherever L hardly grows along an edge, this keeps Dijkstra's ways from changing
-// over for nothing to where the cells' factors are smallest.
-constexpr double kLeast = 0.1;
+// How L is bent along the edges that leave a node to the right and upwards: at the share t it is linear but for this times t² − t.
+struct Bends {
+  float right = 0.0f;
+  float up = 0.0f;
+};
 
-// A length that cost allows [equivalent m].
-double allowed(double cost_from, double cost_to, double resolution) { return 0.5 * (cost_from + cost_to) * resolution; }
+Edges bends_of(const std::vector<Bends>& bends, std::size_t cell, std::size_t row) {
+  return {bends[cell].right, bends[cell + row].right, bends[cell].up, bends[cell + 1].up};
+}
 
-// The greatest factor for the lengths of a cell's edges, as `guide` has them, with which L still grows no faster than the cost.
-float factor(const Corners& guide, const Corners& cost, double resolution, double share) {
-  constexpr double kRounding = 1.0 - 1e-6;  // of costs and factors to float
-  const auto slope = [&](double from, double to, double cost_from, double cost_to) {
-    return std::max(kLeast, std::abs(to - from) / allowed(cost_from, cost_to, resolution));
-  };
-  const Eigen::Vector2d steepest(std::max(slope(guide.low_left, guide.low_right, cost.low_left, cost.low_right),
-                                          slope(guide.high_left, guide.high_right, cost.high_left, cost.high_right)),
-                                 std::max(slope(guide.low_left, guide.high_left, cost.low_left, cost.high_left),
-                                          slope(guide.low_right, guide.high_right, cost.low_right, cost.high_right)));
-  // L is bent along an edge whose ends differ in cost, and leans across a cell, by up to this, whose opposite edges are bent differently.
+// So that growth changes evenly along the edge as it does from edge to edge; straight where it does not.
+float bend_of(const std::vector<double>& guide, std::size_t node, std::size_t step) {
+  const double grows = guide[node + step] - guide[node];
+  const double change_before = grows - (guide[node] - guide[node - step]);
+  const double change_after = guide[node + 2 * step] - guide[node + step] - grows;
+  if (!(change_before * change_after > 0.0)) return 0.0f;
+  const double change = std::abs(change_before) < std::abs(change_after) ? change_before : change_after;
+  const double most = kMostBent * std::abs(grows);
+  return static_cast<float>(std::clamp(0.5 * change, -most, most));
+}
+
+struct Interpolation {
+  std::vector<Bends> bends;
+  std::vector<Inside> insides;
+};
+
+// How much two edges that meet grow by, as far as limits go by it.
+double steepness(double along_x, double along_y, double floor) {
+  const double x = std::max(std::abs(along_x), floor);
+  const double y = std::max(std::abs(along_y), floor);
+  return std::sqrt(x * x + y * y);
+}
+
+// A front's kink that runs through a cell is too steep at a corner where its two sides meet, and not within the planes on either side.
+Inside inside_of(const Edges& grows, const Corners& cost, double resolution) {
+  constexpr double kSteep = 1.1;         // of the cost
+  constexpr double kWorthPlanes = 0.95;  // of the blend's steepness
   const double least = std::min({cost.low_left, cost.low_right, cost.high_left, cost.high_right});
-  const Eigen::Vector2d bent(std::abs(cost.low_right - cost.low_left) + std::abs(cost.high_right - cost.high_left),
-                             std::abs(cost.high_left - cost.low_left) + std::abs(cost.high_right - cost.low_right));
-  const Eigen::Vector2d lean(steepest.y() * bent.y() / (8.0 * least), steepest.x() * bent.x() / (8.0 * least));
-  return static_cast<float>(kRounding * share / (steepest + lean).norm());
+  const double floor = kLeast * least * resolution;
+  const double low_left = steepness(grows.below, grows.left, floor);
+  const double low_right = steepness(grows.below, grows.right, floor);
+  const double high_left = steepness(grows.above, grows.left, floor);
+  const double high_right = steepness(grows.above, grows.right, floor);
+  const double blended =
+      std::max({low_left / cost.low_left, low_right / cost.low_right, high_left / cost.high_left, high_right / cost.high_right});
+  const double rising = std::max(low_right, high_left) / least;
+  const double falling = std::max(low_left, high_right) / least;
+  if (blended < kSteep * resolution || std::min(rising, falling) > kWorthPlanes * blended) return Inside::blended;
+  return rising < falling ? Inside::rising : Inside::falling;
 }
 
-// No limit from cells that are not open.
-std::vector<float> factors(const CostLattice& lattice, const std::vector<double>& guide) {
+// Whether bending its edges might leave one a limit below 0.
+bool is_rough(const Edges& grows, const Corners& cost, double resolution, double share) {
+  const auto [least, most] = std::minmax({cost.low_left, cost.low_right, cost.high_left, cost.high_right});
+  const double steepest = steepness(std::max(std::abs(grows.below), std::abs(grows.above)),
+                                    std::max(std::abs(grows.left), std::abs(grows.right)), kLeast * most * resolution);
+  return kRough * steepest > share * least * resolution;
+}
+
+Interpolation interpolation_of(const CostLattice& lattice, const std::vector<double>& guide) {
   const auto row = static_cast<std::size_t>(lattice.geometry.width);
-  std::vector<float> all(lattice.geometry.size(), kNoLimit);
-  for (std::size_t cell = 0; cell < all.size(); ++cell) {
+  const double resolution = lattice.geometry.resolution;
+  Interpolation made{std::vector<Bends>(guide.size()), std::vector<Inside>(guide.size(), Inside::none)};
+  for (std::size_t cell = 0; cell < guide.size(); ++cell) {
     if (!lattice.is_open(cell) || guide[cell] == kInfinite) continue;
-    all[cell] = factor(corners(guide, cell, row), corners(lattice.cost, cell, row), lattice.geometry.resolution,
-                       static_cast<double>(lattice.share[cell]));
+    made.bends[cell] = {bend_of(guide, cell, 1), bend_of(guide, cell, row)};
+    made.bends[cell + row].right = bend_of(guide, cell + row, 1);
+    made.bends[cell + 1].up = bend_of(guide, cell + 1, row);
   }
-  return all;
+  for (std::size_t cell = 0; cell < guide.size(); ++cell) {
+    if (!lattice.is_open(cell) || guide[cell] == kInfinite) continue;
+    const Edges grows = growth(guide, cell, row);
+    const Corners cost = corners(lattice.cost, cell, row);
+    made.insides[cell] = inside_of(grows, cost, resolution);
+    if (made.insides[cell] == Inside::blended && !is_rough(grows, cost, resolution, static_cast<double>(lattice.share[cell]))) continue;
+    made.bends[cell] = {};
+    made.bends[cell + row].right = 0.0f;
+    made.bends[cell + 1].up = 0.0f;
+  }
+  return made;
 }
 
-// The least that the edges' lengths add up to from the seeds.
-std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<double>& guide, std::span<const MarchingSeed> seeds) {
-  const std::vector<float> factor = factors(lattice, guide);
+// By how much L may grow along the edges that leave a node to the right and upwards, and the other way along them. An infinite limit is
+// that of an edge of no open cell.
+struct Limits {
+  float right = kNoLimit;
+  float left = kNoLimit;
+  float up = kNoLimit;
+  float down = kNoLimit;
+};
+
+// At an end of an edge L's slope is its growth and `bent`; a slope of up to `slope` either way is within these limits of growth.
+void limit(float& forth, float& back, double slope, double bent) {
+  constexpr double kRounding = 1.0 - 1e-6;  // of costs and limits to float
+  forth = std::min(forth, static_cast<float>(kRounding * (slope - bent)));
+  back = std::min(back, static_cast<float>(kRounding * (slope + bent)));
+}
+
+// The limits within which L grows no faster than the cost in any open cell, shared between the axes as the guide grows along them.
+std::vector<Limits> limits_along(const CostLattice& lattice, const std::vector<double>& guide, const Interpolation& interpolation) {
+  const auto row = static_cast<std::size_t>(lattice.geometry.width);
+  const double resolution = lattice.geometry.resolution;
+  std::vector<Limits> limits(guide.size());
+  for (std::size_t cell = 0; cell < guide.size(); ++cell) {
+    const Inside inside = interpolation.insides[cell];
+    if (inside == Inside::none) continue;
+    const Edges grows = growth(guide, cell, row);
+    const Edges bent = bends_of(interpolation.bends, cell, row);
+    const Corners cost = corners(lattice.cost, cell, row);
+    const double allowed = static_cast<double>(lattice.share[cell]) * resolution;
+    const double least = std::min({cost.low_left, cost.low_right, cost.high_left, cost.high_right});
+    const double lean_x = bent.right - bent.left;
+    const double lean_y = bent.above - bent.below;
+    const double lean = 0.25 * std::sqrt(lean_x * lean_x + lean_y * lean_y);
+    const auto at_corner = [&](double cost_there, double slope_x, double slope_y, double bent_x, double bent_y, Limits& x, Limits& y) {
+      const double most = allowed * (inside == Inside::blended ? cost_there : least);
+      const double along_x = std::max(std::abs(slope_x + bent_x), kLeast * most);
+      const double along_y = std::max(std::abs(slope_y + bent_y), kLeast * most);
+      const double scale = (most - lean) / std::sqrt(along_x * along_x + along_y * along_y);
+      limit(x.right, x.left, scale * along_x, bent_x);
+      limit(y.up, y.down, scale * along_y, bent_y);
+    };
+    Limits& here = limits[cell];
+    if (inside != Inside::rising) {
+      at_corner(cost.low_left, grows.below, grows.left, -bent.below, -bent.left, here, here);
+      at_corner(cost.high_right, grows.above, grows.right, bent.above, bent.right, limits[cell + row], limits[cell + 1]);
+    }
+    if (inside != Inside::falling) {
+      at_corner(cost.low_right, grows.below, grows.right, bent.below, -bent.right, here, limits[cell + 1]);
+      at_corner(cost.high_left, grows.above, grows.left, -bent.above, bent.left, limits[cell + row], here);
+    }
+  }
+  return limits;
+}
+
+// The least that the limits along edges add up to from the seeds.
+std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<Limits>& limits, std::span<const MarchingSeed> seeds) {
   const double resolution = lattice.geometry.resolution;
   const auto row = static_cast<std::size_t>(lattice.geometry.width);
-  std::vector<double> way(guide.size(), kInfinite);
-  // As long as any edge may be.
-  const double longest = resolution * dearest(lattice.cost) / kLeast;
+  std::vector<double> way(limits.size(), kInfinite);
+  // A limit is at most the cost and a bend.
+  const double longest = (1.0 + kMostBent) * resolution * dearest(lattice.cost);
   detail::BucketQueue queue(way.size(), std::max(0.5 * resolution, longest / 1024.0), longest);
   for (const MarchingSeed& seed : seeds) {
     way[seed.node] = seed.cost;
     queue.push(seed.node, seed.cost);
   }
-  const auto improve = [&](std::size_t from, std::size_t to, float limit) {
-    if (limit == kNoLimit) return;
-    const double length = std::max(std::abs(guide[to] - guide[from]), kLeast * allowed(static_cast<double>(lattice.cost[from]),
-                                                                                       static_cast<double>(lattice.cost[to]), resolution));
-    const double reached = way[from] + static_cast<double>(limit) * length;
+  const auto improve = [&](std::size_t from, std::size_t to, float length) {
+    const double reached = way[from] + static_cast<double>(length);
     if (reached >= way[to]) return;
     way[to] = reached;
     queue.push(to, reached);
   };
   queue.drain([&](std::size_t node) {
-    const float high_right = factor[node];
-    const float high_left = factor[node - 1];
-    const float low_right = factor[node - row];
-    const float low_left = factor[node - row - 1];
-    improve(node, node + 1, std::min(high_right, low_right));
-    improve(node, node - 1, std::min(high_left, low_left));
-    improve(node, node + row, std::min(high_right, high_left));
-    improve(node, node - row, std::min(low_right, low_left));
+    improve(node, node + 1, limits[node].right);
+    improve(node, node - 1, limits[node - 1].left);
+    improve(node, node + row, limits[node].up);
+    improve(node, node - row, limits[node - row].down);
   });
   return way;
 }
@@ -118,51 +225,55 @@ std::vector<MarchingSeed> corners_around(const CostLattice& lattice, const Eigen
 }  // namespace
 
 CostBound::CostBound(std::shared_ptr<const CostLattice> lattice, const Eigen::Vector2d& place, double tolerance)
-    : lattice_(std::move(lattice)) {
+    : lattice_(std::move(lattice)), nodes_(lattice_->geometry.size()) {
   const std::vector<MarchingSeed> seeds = corners_around(*lattice_, place, tolerance);
-  at_node_ = fast_marching(lattice_->geometry, lattice_->cost, seeds);
-  // The second round is guided by the first one's result and takes up what that left unused.
-  constexpr int kRounds = 2;
-  for (int round = 0; round < kRounds; ++round) at_node_ = shortest_ways(*lattice_, at_node_, seeds);
+  const std::vector<double> guide = fast_marching(lattice_->geometry, lattice_->cost, seeds);
+  Interpolation interpolation = interpolation_of(*lattice_, guide);
+  const std::vector<double> way = shortest_ways(*lattice_, limits_along(*lattice_, guide, interpolation), seeds);
+  insides_ = std::move(interpolation.insides);
+  for (std::size_t node = 0; node < nodes_.size(); ++node) {
+    nodes_[node] = {way[node], interpolation.bends[node].right, interpolation.bends[node].up};
+  }
 }
 
 double CostBound::operator()(const Eigen::Vector2d& point) const {
   const GridGeometry& grid = lattice_->geometry;
-  const auto cell = grid.cell_near(point);
-  if (!cell || !lattice_->is_open(grid.index(*cell))) return kInfinite;
-  const auto row = static_cast<std::size_t>(grid.width);
-  const Corners value = corners(at_node_, grid.index(*cell), row);
-  if (value.low_left == kInfinite) return kInfinite;
-  const Corners cost = corners(lattice_->cost, grid.index(*cell), row);
-  const Eigen::Vector2d at = (point - grid.corner(*cell)) / grid.resolution;
-  const auto on_edge = [](double t, double from, double to, double cost_from, double cost_to) {
-    return bend(from, to, cost_from, cost_to) * (t * t - t);
-  };
-  const double below = value.low_left + at.x() * (value.low_right - value.low_left);
-  const double above = value.high_left + at.x() * (value.high_right - value.high_left);
-  return below + at.y() * (above - below) +
-         (1.0 - at.y()) * on_edge(at.x(), value.low_left, value.low_right, cost.low_left, cost.low_right) +
-         at.y() * on_edge(at.x(), value.high_left, value.high_right, cost.high_left, cost.high_right) +
-         (1.0 - at.x()) * on_edge(at.y(), value.low_left, value.high_left, cost.low_left, cost.high_left) +
-         at.x() * on_edge(at.y(), value.low_right, value.high_right, cost.low_right, cost.high_right);
+  const auto in = grid.cell_near(point);
+  if (!in) return kInfinite;
+  const std::size_t cell = grid.index(*in);
+  if (insides_[cell] == detail::Inside::none) return kInfinite;
+  const Node* below = &nodes_[cell];
+  const Node* above = below + grid.width;
+  const double x = (point.x() - grid.origin.x()) / grid.resolution - in->x;
+  const double y = (point.y() - grid.origin.y()) / grid.resolution - in->y;
+  const double along_below = below[1].value - below[0].value;
+  const double along_above = above[1].value - above[0].value;
+  const double along_left = above[0].value - below[0].value;
+  const double along_right = above[1].value - below[1].value;
+  if (insides_[cell] == detail::Inside::rising) {
+    return below[0].value + (y < x ? x * along_below + y * along_right : x * along_above + y * along_left);
+  }
+  if (insides_[cell] == detail::Inside::falling) {
+    return x + y < 1.0 ? below[0].value + x * along_below + y * along_left
+                       : above[1].value - (1.0 - x) * along_above - (1.0 - y) * along_right;
+  }
+  const double bent_x = static_cast<double>(below[0].bend_right) + y * static_cast<double>(above[0].bend_right - below[0].bend_right);
+  const double bent_y = static_cast<double>(below[0].bend_up) + x * static_cast<double>(below[1].bend_up - below[0].bend_up);
+  return below[0].value + x * along_below + y * (along_left + x * (along_above - along_below)) + (x * x - x) * bent_x +
+         (y * y - y) * bent_y;
 }
 
 double CostBound::dip(std::size_t cell) const {
-  const auto row = static_cast<std::size_t>(lattice_->geometry.width);
-  const Corners value = corners(at_node_, cell, row);
-  const Corners cost = corners(lattice_->cost, cell, row);
-  const double along_x = std::max({0.0, bend(value.low_left, value.low_right, cost.low_left, cost.low_right),
-                                   bend(value.high_left, value.high_right, cost.high_left, cost.high_right)});
-  const double along_y = std::max({0.0, bend(value.low_left, value.high_left, cost.low_left, cost.high_left),
-                                   bend(value.low_right, value.high_right, cost.low_right, cost.high_right)});
-  return 0.25 * (along_x + along_y);
+  const Node* below = &nodes_[cell];
+  const Node* above = below + lattice_->geometry.width;
+  return 0.25 * (std::max({0.0f, below[0].bend_right, above[0].bend_right}) + std::max({0.0f, below[0].bend_up, below[1].bend_up}));
 }
 
 double CostBound::least_sum(const CostBound& a, const CostBound& b, std::size_t cell) {
+  if (a.insides_[cell] == Inside::none || b.insides_[cell] == Inside::none) return kInfinite;
   const auto row = static_cast<std::size_t>(a.lattice_->geometry.width);
-  double least = kInfinite;
-  for (const std::size_t node : {cell, cell + 1, cell + row, cell + row + 1}) least = std::min(least, a.at_node_[node] + b.at_node_[node]);
-  return least == kInfinite ? kInfinite : least - a.dip(cell) - b.dip(cell);
+  const auto sum = [&](std::size_t node) { return a.nodes_[node].value + b.nodes_[node].value; };
+  return std::min({sum(cell), sum(cell + 1), sum(cell + row), sum(cell + row + 1)}) - a.dip(cell) - b.dip(cell);
 }
 
 }  // namespace alignability

@@ -141,7 +141,9 @@ std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const 
     queue.push(node, reached);
   };
   queue.drain([&](std::size_t node) {
-    for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) update(next);
+    for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) {
+      if (to[next] > to[node]) update(next);
+    }
   });
   return to;
 }
