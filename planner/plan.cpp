@@ -11,6 +11,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <future>
 #include <mutex>
 #include <stdexcept>
 
@@ -149,20 +150,21 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
   return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
 }
 
-// By the bounds that the search had, or by one for the way to the goal alone. Turning comes on top of what the way costs.
-double least_cost(const PlanQuery& query, const DrivableArea& area, const AlignabilityObjective& objective) {
-  const Eigen::Vector2d start = query.start.position();
-  double least = 0.0;
-  if (objective.bounds()) {
-    least = objective.bounds()->to_goal(start);
-  } else {
+double least_turning(const PlanQuery& query) {
+  if (query.motion.space == MotionSpace::r2) return 0.0;
+  const double turn = std::abs(normalized_angle(query.goal.yaw - query.start.yaw)) - query.goal_tolerance.heading;
+  return query.motion.turn_cost * std::max(0.0, turn);
+}
+
+// Of the way in the plane: by the bounds that the search goes by, or by one for the way to the goal alone, made while it runs.
+std::future<double> least_along(const PlanQuery& query, const DrivableArea& area, const std::shared_ptr<const RouteBounds>& bounds) {
+  return std::async(bounds ? std::launch::deferred : std::launch::async, [&query, &area, bounds] {
+    const Eigen::Vector2d start = query.start.position();
+    if (bounds) return bounds->to_goal(start);
     const auto lattice =
         std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), query.weight, area.inscribed_radius());
-    least = CostBound(lattice, query.goal.position(), query.goal_tolerance.position)(start);
-  }
-  if (query.motion.space == MotionSpace::r2) return least;
-  const double turn = std::abs(normalized_angle(query.goal.yaw - query.start.yaw)) - query.goal_tolerance.heading;
-  return least + query.motion.turn_cost * std::max(0.0, turn);
+    return CostBound(lattice, query.goal.position(), query.goal_tolerance.position)(start);
+  });
 }
 
 }  // namespace
@@ -219,11 +221,12 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
     objective->set_bounds(std::make_shared<const RouteBounds>(area, query.weight, query.start.position(), query.goal.position(),
                                                               query.goal_tolerance.position));
   }
+  std::future<double> least = least_along(query, area, objective->bounds());
   const auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
     result.status = PlanStatus::interrupted;
   } else {
-    result.lower_bound = least_cost(query, area, *objective);
+    result.lower_bound = least.get() + least_turning(query);
   }
   if (path && result.status != PlanStatus::interrupted) {
     result.status = PlanStatus::solved;
