@@ -14,8 +14,25 @@ double BilinearField::at(const Eigen::Vector2d& point) const {
 
 double BilinearField::integral(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
   if (std::tie(to.x(), to.y()) < std::tie(from.x(), from.y())) return integral(to, from);
+  const GridGeometry& grid = nodes_.geometry();
+  const Eigen::Vector2d half = Eigen::Vector2d::Constant(0.5);
+  // In cells, from the lowest centre on.
+  const Eigen::Vector2d a = (from - grid.origin) / grid.resolution - half;
+  const Eigen::Vector2d b = (to - grid.origin) / grid.resolution - half;
+  const Eigen::Vector2d step = b - a;
   double mean = 0.0;
-  visit(from, to, [&](double share, const Quadratic& field) { mean += share * field.mean(); });
+  detail::traverse_unit_cells(a, b, grid.width - 1, grid.height - 1, [&](Cell patch, double begin, double end) {
+    const double share = end - begin;
+    const Corners corner = corners_of(patch);
+    const Eigen::Vector2d middle = a + 0.5 * (begin + end) * step;
+    const double x = std::clamp(middle.x() - std::max(patch.x, 0), 0.0, 1.0);
+    const double y = std::clamp(middle.y() - std::max(patch.y, 0), 0.0, 1.0);
+    const double below = corner.low_left + x * (corner.low_right - corner.low_left);
+    const double above = corner.high_left + x * (corner.high_right - corner.high_left);
+    // Along the piece the field is quadratic: its mean is the value in the middle and a twelfth of the second-order term.
+    const double twist = corner.low_left - corner.low_right - corner.high_left + corner.high_right;
+    mean += share * (below + y * (above - below) + twist * step.x() * step.y() * share * share / 12.0);
+  });
   return (to - from).norm() * mean;
 }
 

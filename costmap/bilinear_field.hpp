@@ -40,6 +40,11 @@ class BilinearField {
  private:
   // The grid whose cells are the patches: its lines run through the centres.
   GridGeometry patches() const;
+  struct Corners {
+    double low_left, low_right, high_left, high_right;
+  };
+  // Beyond the outermost centres, those of the nearest patch's edge twice.
+  Corners corners_of(Cell patch) const;
   double in_patch(Cell patch, const Eigen::Vector2d& point) const;
 
   Grid<double> nodes_;
@@ -53,13 +58,22 @@ inline GridGeometry BilinearField::patches() const {
   return patches;
 }
 
+inline BilinearField::Corners BilinearField::corners_of(Cell patch) const {
+  const GridGeometry& grid = nodes_.geometry();
+  const auto row = static_cast<std::size_t>(grid.width);
+  const std::size_t low = grid.index({std::max(patch.x, 0), std::max(patch.y, 0)});
+  const std::size_t across = patch.x >= 0 && patch.x + 1 < grid.width ? 1 : 0;
+  const std::size_t up = patch.y >= 0 && patch.y + 1 < grid.height ? row : 0;
+  return {nodes_[low], nodes_[low + across], nodes_[low + up], nodes_[low + up + across]};
+}
+
 inline double BilinearField::in_patch(Cell patch, const Eigen::Vector2d& point) const {
   const GridGeometry& grid = nodes_.geometry();
+  const Corners corner = corners_of(patch);
   const Cell low{std::max(patch.x, 0), std::max(patch.y, 0)};
-  const Cell high{std::min(patch.x + 1, grid.width - 1), std::min(patch.y + 1, grid.height - 1)};
   const Eigen::Array2d at = ((point - grid.center(low)) / grid.resolution).array().cwiseMax(0.0).cwiseMin(1.0);
-  const double below = nodes_[low] + at.x() * (nodes_[Cell{high.x, low.y}] - nodes_[low]);
-  const double above = nodes_[Cell{low.x, high.y}] + at.x() * (nodes_[high] - nodes_[Cell{low.x, high.y}]);
+  const double below = corner.low_left + at.x() * (corner.low_right - corner.low_left);
+  const double above = corner.high_left + at.x() * (corner.high_right - corner.high_left);
   return below + at.y() * (above - below);
 }
 

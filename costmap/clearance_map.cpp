@@ -187,17 +187,22 @@ bool ClearanceMap::is_clear(const Eigen::Vector2d& from, const Eigen::Vector2d& 
   if (!is_clear(from, radius) || !is_clear(to, radius)) return false;
   const double length = (to - from).norm();
   const Eigen::Vector2d direction = length > 0.0 ? Eigen::Vector2d((to - from) / length) : Eigen::Vector2d::Zero();
+  // Where it is narrow, looked at cell by cell, a piece at a time: as long as the disk is wide, whose surroundings are looked at anyhow.
+  const double piece = std::max(geometry().resolution, radius);
   double done = 0.0;
   while (done < length) {
     const Eigen::Vector2d at = from + done * direction;
     const auto cell = geometry().cell_near(at);
     if (!cell) return false;
-    const double room = center_distance_[*cell] - (at - geometry().center(*cell)).norm() - radius;
+    const double at_center = center_distance_[*cell];
+    const double moved = (at - geometry().center(*cell)).norm();
+    const double room = at_center - moved - radius;
     if (room >= geometry().resolution) {
       done += room;
       continue;
     }
-    const double next = std::min(length, done + geometry().resolution);
+    if (at_center + moved + 1e-6 * (at_center + geometry().resolution) < radius) return false;
+    const double next = std::min(length, done + piece);
     if (!is_clear_of_cells(at, next == length ? to : Eigen::Vector2d(from + next * direction), radius)) return false;
     done = next;
   }
