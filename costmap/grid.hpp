@@ -46,7 +46,7 @@ struct GridGeometry {
     const Eigen::Vector2d at = (point - origin) / resolution;
     const bool inside = at.x() >= 0.0 && at.x() < width && at.y() >= 0.0 && at.y() < height;
     if (!inside) return std::nullopt;
-    return Cell{static_cast<int>(std::floor(at.x())), static_cast<int>(std::floor(at.y()))};
+    return Cell{static_cast<int>(at.x()), static_cast<int>(at.y())};
   }
 
   bool operator==(const GridGeometry&) const = default;

@@ -14,12 +14,15 @@ namespace alignability::detail {
 class LineCrossings {
  public:
   LineCrossings(double from, double to, int cells) : from_(from), span_(to - from) {
+    // The cast of what is not negative is its floor, and cheaper.
+    const double inside = std::clamp<double>(from, 0.0, cells);
+    const auto whole = static_cast<double>(static_cast<int>(inside));
     if (span_ > 0.0) {
-      next_ = std::max(0.0, std::floor(from) + 1.0);
+      next_ = from < 0.0 ? 0.0 : whole + 1.0;
       step_ = 1.0;
       last_ = cells;
     } else if (span_ < 0.0) {
-      next_ = std::min<double>(cells, std::ceil(from) - 1.0);
+      next_ = from > cells ? cells : (whole == inside ? whole - 1.0 : whole);
       step_ = -1.0;
       last_ = 0.0;
     }
@@ -56,9 +59,7 @@ void traverse_unit_cells(const Eigen::Vector2d& from, const Eigen::Vector2d& to,
   LineCrossings columns(from.x(), to.x(), width);
   LineCrossings rows(from.y(), to.y(), height);
   // NaN, which no cast to int survives, fails the comparison and counts as beyond the grid.
-  const auto index = [](double at, int cells) {
-    return at >= -1.0 ? static_cast<int>(std::floor(std::min(at, static_cast<double>(cells)))) : -1;
-  };
+  const auto index = [](double at, int cells) { return at >= 0.0 ? static_cast<int>(std::min(at, static_cast<double>(cells))) : -1; };
   for (double done = 0.0; done < 1.0;) {
     const double column_share = columns.share();
     const double row_share = rows.share();

@@ -64,6 +64,7 @@ ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob
 }
 
 double AlignabilityObjective::turning(const Pose2& from, const Pose2& to) const {
+  if (from.yaw == to.yaw) return 0.0;
   return options_.turn_cost * std::abs(normalized_angle(to.yaw - from.yaw));
 }
 
