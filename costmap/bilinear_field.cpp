@@ -20,6 +20,7 @@ double BilinearField::integral(const Eigen::Vector2d& from, const Eigen::Vector2
   const Eigen::Vector2d a = (from - grid.origin) / grid.resolution - half;
   const Eigen::Vector2d b = (to - grid.origin) / grid.resolution - half;
   const Eigen::Vector2d step = b - a;
+  const double twelfth = step.x() * step.y() / 12.0;
   double mean = 0.0;
   detail::traverse_unit_cells(a, b, grid.width - 1, grid.height - 1, [&](Cell patch, double begin, double end) {
     const double share = end - begin;
@@ -31,7 +32,7 @@ double BilinearField::integral(const Eigen::Vector2d& from, const Eigen::Vector2
     const double above = corner.high_left + x * (corner.high_right - corner.high_left);
     // Along the piece the field is quadratic: its mean is the value in the middle and a twelfth of the second-order term.
     const double twist = corner.low_left - corner.low_right - corner.high_left + corner.high_right;
-    mean += share * (below + y * (above - below) + twist * step.x() * step.y() * share * share / 12.0);
+    mean += share * (below + y * (above - below) + twist * twelfth * share * share);
   });
   return (to - from).norm() * mean;
 }
