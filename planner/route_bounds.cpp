@@ -7,6 +7,7 @@
 #include <numeric>
 
 namespace alignability {
+
 RouteBounds::Both RouteBounds::both(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
                                     double tolerance) {
   const auto lattice = std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), weight, area.inscribed_radius());
