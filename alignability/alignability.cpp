@@ -16,6 +16,9 @@
 namespace alignability {
 namespace {
 
+// Goes up whenever the same scan would score otherwise, if only in the last bit: cells of different revisions do not mix.
+constexpr int kEngineRevision = 2;
+
 // Σ n and Σ nnᵀ of the normals that vote.
 struct NormalSums {
   double count = 0.0;
@@ -71,6 +74,11 @@ class Scorer::Implementation {
     const SegmentationOptions& segmentation = options.segmentation;
     if (segmentation.stride < 1 || segmentation.stride > kMostStride) throw std::invalid_argument("the stride must be 1 to 4");
     if (segmentation.stride > 1 && segmentation.engine == Engine::pcl) throw std::invalid_argument("the engine pcl knows no stride");
+    if (segmentation.normal_neighbours < 3) throw std::invalid_argument("a normal takes at least 3 neighbours");
+    if (segmentation.growing_neighbours < 1) throw std::invalid_argument("growing takes at least 1 neighbour");
+    for (const Reading reading : options.readings) {
+      if (std::ranges::count(options.readings, reading) > 1) throw std::invalid_argument("a reading is asked for twice");
+    }
     if (!kPositive.contains(options.voxel)) throw std::invalid_argument("the voxel must be greater than 0");
     if (!kPositive.contains(options.range_stddev)) throw std::invalid_argument("range_stddev must be greater than 0");
   }
@@ -95,7 +103,10 @@ class Scorer::Implementation {
     Readings& readings = scored.alignability.readings;
     readings.voxel = voxel;
     if (options_.wants(Reading::centred)) readings.centred = ratio(sums.moment(Moment::about_mean));
-    if (merges) read_planes(readings, detail::merged_planes(scan, std::move(kept), segmentation.normals, options_.range_stddev));
+    if (merges) {
+      const int points_a_vote = scan.organized() ? options_.segmentation.stride : 1;
+      read_planes(readings, detail::merged_planes(scan, std::move(kept), segmentation.normals, options_.range_stddev), points_a_vote);
+    }
     return scored;
   }
 
@@ -132,11 +143,13 @@ class Scorer::Implementation {
   }
 
   double voxel_alpha(const Scan& scan) {
-    Scan thin{.points = thinned(scan.points, options_.voxel), .rings = 1, .columns = 0};
+    std::vector<Eigen::Vector3f> counted;
+    for (const Eigen::Vector3f& point : scan.points) {
+      if (detail::counts(point, options_.segmentation.range_min)) counted.push_back(point);
+    }
+    Scan thin{.points = thinned(counted, options_.voxel), .rings = 1, .columns = 0};
     thin.columns = static_cast<int>(thin.points.size());
-    SegmentationOptions every_point = options_.segmentation;
-    every_point.stride = 1;
-    const Segmentation& segmentation = segment(thin, every_point);
+    const Segmentation& segmentation = segment(thin, options_.segmentation);
     Alignability result;
     NormalSums sums;
     for_each_plane(thin, segmentation, result,
@@ -144,14 +157,16 @@ class Scorer::Implementation {
     return ratio(sums.moment(Moment::about_origin));
   }
 
-  void read_planes(Readings& readings, const std::vector<detail::MergedPlane>& planes) const {
+  void read_planes(Readings& readings, const std::vector<detail::MergedPlane>& planes, int points_a_vote) const {
     if (options_.wants(Reading::robust)) {
       NormalSums sums;
-      for (const detail::MergedPlane& plane : planes) sums.add(plane.own_normal, plane.count());
+      for (const detail::MergedPlane& plane : planes) {
+        if (!plane.is_strip) sums.add(plane.own_normal, plane.count());
+      }
       readings.robust = ratio(sums.moment(Moment::about_origin));
     }
     if (options_.wants(Reading::information)) {
-      readings.information = detail::planar_information(planes, options_.T_base_lidar, options_.range_stddev);
+      readings.information = detail::planar_information(planes, options_.T_base_lidar, options_.range_stddev, points_a_vote);
     }
   }
 
@@ -184,6 +199,20 @@ ScoredScan score(const Scan& scan, const AlignabilityOptions& options) { return 
 
 std::string_view to_string(Engine engine) { return engine == Engine::native ? "native" : "pcl"; }
 
+double value_of(Reading reading, const Readings& readings) {
+  switch (reading) {
+    case Reading::centred:
+      return readings.centred;
+    case Reading::voxel:
+      return readings.voxel;
+    case Reading::robust:
+      return readings.robust;
+    case Reading::information:
+      break;
+  }
+  return readings.information.least;
+}
+
 std::string_view to_string(Reading reading) {
   switch (reading) {
     case Reading::centred:
@@ -201,6 +230,7 @@ std::string_view to_string(Reading reading) {
 std::string to_yaml(const AlignabilityOptions& options) {
   std::ostringstream out;
   out << "engine: " << to_string(options.segmentation.engine) << '\n'
+      << "engine_revision: " << kEngineRevision << '\n'
       << "min_range: " << to_text(options.segmentation.range_min) << '\n'
       << "normal_neighbours: " << options.segmentation.normal_neighbours << '\n'
       << "growing_neighbours: " << options.segmentation.growing_neighbours << '\n'
@@ -211,10 +241,11 @@ std::string to_yaml(const AlignabilityOptions& options) {
       << "plane_threshold: " << to_text(options.plane_threshold) << '\n'
       << "min_area: " << to_text(options.min_area) << '\n'
       << "centred: " << (options.moment == Moment::about_mean ? "true" : "false") << '\n';
-  if (!options.readings.empty()) out << "readings: [";
-  for (const Reading reading : options.readings) out << (reading == options.readings.front() ? "" : ", ") << to_string(reading);
-  if (!options.readings.empty())
+  if (!options.readings.empty()) {
+    out << "readings: [";
+    for (const Reading reading : options.readings) out << (reading == options.readings.front() ? "" : ", ") << to_string(reading);
     out << "]\nvoxel: " << to_text(options.voxel) << "\nrange_stddev: " << to_text(options.range_stddev) << '\n';
+  }
   return out.str();
 }
 

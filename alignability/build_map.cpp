@@ -60,9 +60,14 @@ std::vector<Job> jobs_for(const OccupancyMap& occupancy, const GridGeometry& geo
     if (free.is_evaluated()) jobs.push_back({geometry.index(cell), std::move(free)});
   };
   if (options.cells) {
+    std::vector<bool> taken(geometry.size(), false);
     for (const Cell cell : *options.cells) {
-      if (!geometry.contains(cell)) throw std::invalid_argument("a cell to evaluate lies off the map");
-      add(cell);
+      if (!geometry.contains(cell)) {
+        throw std::invalid_argument("the cell " + std::to_string(cell.x) + "," + std::to_string(cell.y) + " lies off the map, which has " +
+                                    std::to_string(geometry.width) + " x " + std::to_string(geometry.height));
+      }
+      if (!taken[geometry.index(cell)]) add(cell);
+      taken[geometry.index(cell)] = true;
     }
   } else {
     for (std::size_t i = 0; i < geometry.size(); ++i) add(geometry.cell_of(i));
@@ -125,6 +130,7 @@ std::string to_yaml(const MapOptions& options) {
 }
 
 void check(const OccupancyMap& occupancy, const MapOptions& options) {
+  Scorer{options.alignability};  // throws for options that no scan could be scored with
   if (options.samples < 1) throw std::invalid_argument("samples must be at least 1");
   if (options.range_max && !kPositive.contains(*options.range_max)) throw std::invalid_argument("range_max must be greater than 0");
   if (!kPositive.contains(options.resolution) || options.resolution < occupancy.geometry().resolution) {

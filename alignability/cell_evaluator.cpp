@@ -54,22 +54,10 @@ CellValue summary(const std::vector<Alignability>& scores, const Eigen::Matrix3d
                    static_cast<float>(quantile(alphas, 0.75) - quantile(alphas, 0.25))};
   append(values, common_axis<3>(scores, [&](const Alignability& score) { return R_map_lidar * score.weakest_direction; }));
   for (const Reading reading : options.readings) {
-    switch (reading) {
-      case Reading::centred:
-        values.push_back(median([](const Alignability& score) { return score.readings.centred; }));
-        break;
-      case Reading::voxel:
-        values.push_back(median([](const Alignability& score) { return score.readings.voxel; }));
-        break;
-      case Reading::robust:
-        values.push_back(median([](const Alignability& score) { return score.readings.robust; }));
-        break;
-      case Reading::information:
-        values.push_back(median([](const Alignability& score) { return score.readings.information.least; }));
-        values.push_back(median([](const Alignability& score) { return score.readings.information.yaw; }));
-        append(values, common_axis<2>(scores, [](const Alignability& score) { return score.readings.information.weakest_direction; }));
-        break;
-    }
+    values.push_back(median([&](const Alignability& score) { return value_of(reading, score.readings); }));
+    if (reading != Reading::information) continue;
+    values.push_back(median([](const Alignability& score) { return score.readings.information.yaw; }));
+    append(values, common_axis<2>(scores, [](const Alignability& score) { return score.readings.information.weakest_direction; }));
   }
   return values;
 }

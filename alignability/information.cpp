@@ -12,9 +12,11 @@ constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-PlanarInformation planar_information(std::span<const MergedPlane> planes, const Eigen::Isometry3d& T_base_lidar, double stddev) {
+PlanarInformation planar_information(std::span<const MergedPlane> planes, const Eigen::Isometry3d& T_base_lidar, double stddev,
+                                     int points_a_vote) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   for (const MergedPlane& plane : planes) {
+    if (plane.is_strip) continue;
     const Eigen::Vector3d normal = T_base_lidar.linear() * plane.own_normal;
     const Eigen::Vector3d center = T_base_lidar * plane.shape.center;
     const Eigen::Matrix3d axes = T_base_lidar.linear() * plane.shape.axes;
@@ -26,7 +28,7 @@ PlanarInformation planar_information(std::span<const MergedPlane> planes, const 
     matrix += plane.count() * mean * mean.transpose();
     matrix(2, 2) += plane.count() * variance;
   }
-  return marginal_information(matrix / (stddev * stddev));
+  return marginal_information(points_a_vote * matrix / (stddev * stddev));
 }
 
 PlanarInformation marginal_information(const Eigen::Matrix3d& matrix) {

@@ -7,6 +7,7 @@
 #include <boost/geometry/geometries/point_xy.hpp>
 #include <boost/geometry/geometries/ring.hpp>
 #include <cmath>
+#include <sstream>
 #include <stdexcept>
 #include <string>
 
@@ -16,16 +17,29 @@ namespace {
 namespace bg = boost::geometry;
 using Point = bg::model::d2::point_xy<double>;
 
+// The first lines in which two texts differ.
+std::string difference(const std::string& before, const std::string& now) {
+  std::istringstream lines_before(before), lines_now(now);
+  std::string line_before, line_now;
+  do {
+    line_before.clear();
+    line_now.clear();
+    std::getline(lines_before, line_before);
+    std::getline(lines_now, line_now);
+  } while (line_before == line_now && (lines_before || lines_now));
+  return "'" + line_before + "', not '" + line_now + "'";
+}
+
 void check_alike(const AlignabilityMap& before, const AlignabilityMap& rebuilt) {
-  const auto demand = [](bool alike, const char* what) {
-    if (!alike) throw std::invalid_argument(std::string("the map to update was made with another ") + what);
-  };
-  demand(before.geometry == rebuilt.geometry, "grid");
-  demand(before.sensor == rebuilt.sensor, "sensor file");
-  demand(before.seed == rebuilt.seed, "seed");
-  demand(before.options == rebuilt.options, "choice of options");
-  demand(std::ranges::equal(before.layers, rebuilt.layers, {}, &AlignabilityMap::Layer::name, &AlignabilityMap::Layer::name),
-         "choice of layers");
+  if (before.geometry != rebuilt.geometry) throw std::invalid_argument("has another grid");
+  if (before.sensor != rebuilt.sensor) throw std::invalid_argument("was made with another sensor file");
+  if (before.seed != rebuilt.seed) {
+    throw std::invalid_argument("was made with the seed " + std::to_string(before.seed) + ", not " + std::to_string(rebuilt.seed));
+  }
+  if (before.options != rebuilt.options) throw std::invalid_argument("was made with " + difference(before.options, rebuilt.options));
+  if (!std::ranges::equal(before.layers, rebuilt.layers, {}, &AlignabilityMap::Layer::name, &AlignabilityMap::Layer::name)) {
+    throw std::invalid_argument("has other layers");
+  }
 }
 
 }  // namespace

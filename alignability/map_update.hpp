@@ -14,7 +14,7 @@ namespace alignability {
 std::vector<Cell> cells_meeting(const GridGeometry& geometry, std::span<const Eigen::Vector2d> polygon);
 
 /// `before` with some cells, NaN or not, as `rebuilt` has them, and what `rebuilt` says of how it was made. Throws std::invalid_argument
-/// where the two were not made alike: on another grid, with another sensor, seed or options.
+/// that completes "the map …" where the two were not made alike: on another grid, with another sensor, seed or options.
 AlignabilityMap updated(const AlignabilityMap& before, AlignabilityMap rebuilt, std::span<const Cell> cells);
 
 }  // namespace alignability

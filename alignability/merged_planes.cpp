@@ -16,6 +16,7 @@ using Members = std::vector<std::int32_t>;
 const double kAlike = std::cos(radians(30.0));
 constexpr double kOffPlane = 0.05;   // [m]
 constexpr double kNoiseWidth = 8.0;  // σ that a few hundred returns from one line spread over, at most
+constexpr double kStripWidth = 3.0;  // σ: three times as wide in the mean, a plane is held across as noise would not hold it
 
 Eigen::Vector3d principal_axis(const std::vector<Eigen::Vector3d>& normals) {
   Eigen::Matrix3d sum = Eigen::Matrix3d::Zero();
@@ -30,8 +31,9 @@ MergedPlane plane_of(const Scan& scan, Members members, std::span<const Eigen::V
     if (normal.allFinite()) plane.normals.push_back(normal.cast<double>());
   }
   plane.shape = shape_of(scan, plane.members);
-  const bool is_strip = plane.shape.extents[1] <= kNoiseWidth * range_stddev;
-  plane.own_normal = is_strip ? principal_axis(plane.normals) : plane.shape.axes.col(0);
+  plane.is_strip = std::sqrt(std::max(0.0, plane.shape.eigenvalues[1])) <= kStripWidth * range_stddev;
+  const bool is_narrow = plane.shape.extents[1] <= kNoiseWidth * range_stddev;
+  plane.own_normal = is_narrow ? principal_axis(plane.normals) : plane.shape.axes.col(0);
   if (plane.own_normal.dot(plane.shape.center) > 0.0) plane.own_normal = -plane.own_normal;
   return plane;
 }

@@ -18,8 +18,10 @@ struct MergedPlane {
   std::vector<Eigen::Vector3d> normals;  ///< of the members that have one
   SegmentShape shape;
   /// The plane's own, from which noise makes the normals of its points lean: unit, towards the sensor. It is the narrowest axis of the
-  /// points; where they are no wider than noise, a strip, the principal axis of their normals.
+  /// points; where they are hardly wider than noise, the principal axis of their normals.
   Eigen::Vector3d own_normal;
+  /// Noise alone could make it as wide as it is: points of one ring, whose normal is anybody's guess.
+  bool is_strip = false;
   int segments = 1;
 
   double count() const { return static_cast<double>(normals.size()); }

@@ -26,13 +26,14 @@ const Segmentation& NativeSegmenter::segment(const Scan& scan, const Segmentatio
   result_.ends.clear();
   if (blocks_.points() < static_cast<std::size_t>(std::max(options.min_points, 3))) return result_;
 
-  find_voters(scan, options.stride);
+  const int stride = scan.organized() ? options.stride : 1;
+  find_voters(scan, stride);
   estimate(scan, options);
   // From a point to the next noise turns the normal at random, over a stride by as much more as a random walk leads away.
-  const double smoothness = std::sqrt(static_cast<double>(options.stride)) * options.smoothness;
+  const double smoothness = std::sqrt(static_cast<double>(stride)) * options.smoothness;
   grower_.grow(graph_, {.cosine = static_cast<float>(std::cos(smoothness)),
                         .curvature = static_cast<float>(options.curvature),
-                        .min_points = (options.min_points + options.stride - 1) / options.stride});
+                        .min_points = (options.min_points + stride - 1) / stride});
   for (const std::int32_t slot : grower_.members()) result_.members.push_back(blocks_.scan_index()[static_cast<std::size_t>(slot)]);
   result_.ends = grower_.ends();
   return result_;
@@ -43,8 +44,8 @@ void NativeSegmenter::find_voters(const Scan& scan, int stride) {
   graph_.points.assign(static_cast<std::size_t>(blocks_.blocks()) + 1, 0);
   for (std::size_t slot = 0; slot < index.size(); ++slot) {
     if (index[slot] < 0) continue;
-    const int place = scan.organized() ? index[slot] % scan.columns : static_cast<int>(slot);
-    if (place % stride == 0) graph_.points[slot / kBlock] |= static_cast<std::uint8_t>(1U << slot % kBlock);
+    if (stride == 1 || index[slot] % scan.columns % stride == 0)
+      graph_.points[slot / kBlock] |= static_cast<std::uint8_t>(1U << slot % kBlock);
   }
 }
 
@@ -69,7 +70,7 @@ void NativeSegmenter::estimate(const Scan& scan, const SegmentationOptions& opti
       group.slots[group.size++] = slot;
       if (group.size == kLanes) finish(group, scan, options);
     }
-    if (options.stride == 1) finish(group, scan, options);
+    if (!scan.organized() || options.stride == 1) finish(group, scan, options);
   }
   finish(group, scan, options);
 }

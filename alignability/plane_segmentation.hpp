@@ -28,9 +28,9 @@ struct SegmentationOptions {
   double smoothness = radians(3);  ///< [rad] largest angle between the normals of a point and its neighbour
   double curvature = 1.0;          ///< a point above it grows no further
   int min_points = 50;             ///< a smaller segment is none
-  /// Normals and votes of every n-th column alone, or, of a scan without order, of every n-th point in space; neighbours among all points.
-  /// Segments then grow over those neighbours that vote, at most √n · `smoothness` apart, and `min_points` counts the columns between.
-  /// 1 to kMostStride: the growing neighbours of a point would hold no voters beyond.
+  /// Normals and votes of every n-th column alone, neighbours among all points; a scan without order has no columns, and all its points
+  /// vote. Segments then grow over those neighbours that vote, at most √n · `smoothness` apart, and `min_points` counts the columns
+  /// between. 1 to kMostStride: the growing neighbours of a point would hold no voters beyond.
   int stride = 1;
   Engine engine = Engine::native;
 };

@@ -10,8 +10,8 @@ namespace alignability {
 /// What else a scan says of how well it can be aligned, beside the paper's α.
 enum class Reading {
   centred,      ///< α of the textbook PCA, the normals' mean subtracted
-  voxel,        ///< α of the scan thinned to one point, the mean, in each cube of a side of 8 cm, as Nobili et al. do
-  robust,       ///< α of the planes' own normals, each as often as it has points: without what noise does to the normals
+  voxel,        ///< α about the origin of the scan thinned to one point, the mean, in each cube, as Nobili et al. do with 8 cm
+  robust,       ///< α about the origin of the planes' own normals, each as often as it has points: without what noise does to the normals
   information,  ///< how narrowly aligning the planes' points holds x, y and yaw of the robot on its floor
 };
 
@@ -38,5 +38,8 @@ struct Readings {
   PlanarInformation information{
       .matrix = Eigen::Matrix3d::Constant(kNone), .least = kNone, .weakest_direction = Eigen::Vector2d::Constant(kNone), .yaw = kNone};
 };
+
+/// NaN where it was not asked for; of the information the least.
+double value_of(Reading reading, const Readings& readings);
 
 }  // namespace alignability

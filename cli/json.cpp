@@ -51,16 +51,7 @@ Json options_json(const PlanQuery& query) {
 }
 
 Json reading_json(Reading reading, const Readings& readings) {
-  switch (reading) {
-    case Reading::centred:
-      return number(readings.centred);
-    case Reading::voxel:
-      return number(readings.voxel);
-    case Reading::robust:
-      return number(readings.robust);
-    case Reading::information:
-      break;
-  }
+  if (reading != Reading::information) return number(value_of(reading, readings));
   const PlanarInformation& information = readings.information;
   Json rows = Json::array();
   for (int row = 0; row < 3; ++row) rows.push_back(vector(information.matrix.row(row)));

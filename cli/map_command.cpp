@@ -15,6 +15,7 @@
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
+#include "core/input_error.hpp"
 #include "costmap/map_server.hpp"
 #include "pictures/alignability_picture.hpp"
 
@@ -63,7 +64,12 @@ ProgressCallback telling_of_the_start(ProgressCallback show, const std::filesyst
   };
 }
 
-// Keeps what is done in NAME.part until the map is stored.
+// Where what is done is kept until the map is stored. A part's is another's than the whole's, which it would remove at its end.
+std::filesystem::path checkpoint_of(const Options& options) {
+  const bool whole = options.cells.empty() && options.polygon.empty();
+  return with_ending(output_name(options.output), whole ? ".part" : ".cells.part");
+}
+
 AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, MapOptions options) {
   ProgressBar bar("alignability map");
   options.progress = telling_of_the_start(bar.callback(), *options.checkpoint);
@@ -95,11 +101,15 @@ std::optional<std::vector<Cell>> chosen_cells(const Options& options, const Grid
 }
 
 // At the start rather than at the end.
-void refuse_unless_alike(const AlignabilityMap& before, const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
-                         MapOptions options) {
+void refuse_unless_alike(const std::filesystem::path& file, const AlignabilityMap& before, const Scene& scene,
+                         const OccupancyMap& occupancy, const LidarModel& lidar, MapOptions options) {
   options.checkpoint.reset();
   options.cells.emplace();
-  updated(before, build_alignability_map(scene, occupancy, lidar, options), *options.cells);
+  try {
+    updated(before, build_alignability_map(scene, occupancy, lidar, options), *options.cells);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, error.what());
+  }
 }
 
 int build_and_store(Options options) {
@@ -113,17 +123,17 @@ int build_and_store(Options options) {
   options.map.cells = chosen_cells(options, occupancy.geometry());
   const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;
   options.map.stop = interrupt.token();
-  if (before) refuse_unless_alike(*before, scene, occupancy, lidar, options.map);
+  if (before) refuse_unless_alike(*options.update, *before, scene, occupancy, lidar, options.map);
   const std::filesystem::path name = output_name(options.output);
-  options.map.checkpoint = with_ending(name, ".part");
-  AlignabilityMap map = build(scene, occupancy, lidar, options.map);
-  map.provenance = provenance(options);
-  if (before) map = updated(*before, std::move(map), *options.map.cells);
+  options.map.checkpoint = checkpoint_of(options);
+  AlignabilityMap built = build(scene, occupancy, lidar, options.map);
+  built.provenance = provenance(options);
+  const AlignabilityMap map = before ? updated(*before, built, *options.map.cells) : built;
   draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, with_ending(name, ".png"));
   write_alignability_map(map, name);
   std::filesystem::remove(*options.map.checkpoint);
   const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
-  const Json summary = map_json(map, seconds, {with_ending(name, ".yaml"), with_ending(name, ".tiff"), with_ending(name, ".png")});
+  const Json summary = map_json(built, seconds, {with_ending(name, ".yaml"), with_ending(name, ".tiff"), with_ending(name, ".png")});
   if (options.json) {
     print({summary});
   } else {
@@ -136,7 +146,7 @@ int run(const Options& options) {
   try {
     return build_and_store(options);
   } catch (const Interrupted&) {
-    std::cerr << "\nalignability: interrupted; " << with_ending(output_name(options.output), ".part").string()
+    std::cerr << "\nalignability: interrupted; " << checkpoint_of(options).string()
               << " keeps what is done, and the same command goes on from there\n";
     return kInterrupted;
   }

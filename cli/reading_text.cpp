@@ -8,16 +8,7 @@
 namespace alignability::cli {
 
 std::string reading_text(Reading reading, const Readings& readings) {
-  switch (reading) {
-    case Reading::centred:
-      return fixed_text(readings.centred, 4);
-    case Reading::voxel:
-      return fixed_text(readings.voxel, 4);
-    case Reading::robust:
-      return fixed_text(readings.robust, 4);
-    case Reading::information:
-      break;
-  }
+  if (reading != Reading::information) return fixed_text(value_of(reading, readings), 4);
   const PlanarInformation& information = readings.information;
   char text[100];
   std::snprintf(text, sizeof text, "%.3g /m2 along (%s, %s), %.3g /rad2", information.least,

@@ -69,6 +69,7 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
 }
 
 const NdtCell* Ndt::find(const Eigen::Vector3d& place) const {
+  if (!place.allFinite()) return nullptr;
   const auto found = index_.find(cube_of(place));
   return found == index_.end() ? nullptr : &cells_[static_cast<std::size_t>(found->second)];
 }

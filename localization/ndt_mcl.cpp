@@ -97,9 +97,11 @@ void NdtMcl::see(const Ndt& scan) {
     if (cell.mean.z() >= options_.least_height) cells.push_back(cell);
   }
   std::vector<double> logs;
-  for (const Particle& particle : particles_) logs.push_back(log_weight(*map_, cells, particle.pose, options_.combination));
-  const double most = std::ranges::max(logs);
-  for (std::size_t i = 0; i < particles_.size(); ++i) particles_[i].weight *= std::exp(logs[i] - most);
+  for (const auto& [pose, weight] : particles_) {
+    logs.push_back(std::log(weight) + log_weight(*map_, cells, pose, options_.combination));
+  }
+  const double most = std::ranges::max(logs);  // of a particle that has a weight: finite
+  for (std::size_t i = 0; i < particles_.size(); ++i) particles_[i].weight = std::exp(logs[i] - most);
   normalize(particles_);
   ++seen_;
   double squares = 0.0;

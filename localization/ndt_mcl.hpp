@@ -39,8 +39,8 @@ struct Particle {
   double weight;
 };
 
-/// What a match is worth: 0.1 + 0.9·exp(−0.05·d²/2), d the Mahalanobis distance of the two means under both covariances; 0.1 where the map
-/// has no cell.
+/// What a match is worth: 0.1 + 0.9·exp(−0.05·d²/2), d the Mahalanobis distance of the two means under both covariances. Where the map has
+/// no cell d is infinite for the product; the sum counts matches alone.
 double match_score(double distance2);
 
 /// Monte Carlo localization on a normal distributions transform (Saarinen et al. 2013): particles of (x, y, yaw), weighted by how well the

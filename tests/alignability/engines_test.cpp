@@ -105,6 +105,22 @@ TEST(Stride, VotesByEveryNthColumnAlone) {
   }
 }
 
+TEST(Stride, MakesNoDifferenceToAScanWithoutOrder) {
+  AlignabilityOptions options;
+  options.segmentation.stride = 4;
+  EXPECT_EQ(score(test::three_walls(), options).alignability.alpha, score(test::three_walls(), {}).alignability.alpha);
+}
+
+TEST(Engines, AgreeWithMoreNeighboursToGrowByThanForNormals) {
+  const Scan scan = test::scan_of(corner(), NoiseKey{.seed = 4});
+  AlignabilityOptions native = with(Engine::native), pcl = with(Engine::pcl);
+  for (AlignabilityOptions* options : {&native, &pcl}) {
+    options->segmentation.normal_neighbours = 20;
+    options->segmentation.growing_neighbours = 40;
+  }
+  EXPECT_NEAR(score(scan, native).alignability.alpha, score(scan, pcl).alignability.alpha, 5e-3);
+}
+
 TEST(Stride, OfLessThanOneOfMoreThanFourOrWithPclIsRefused) {
   AlignabilityOptions options;
   for (const int stride : {0, 5}) {

@@ -75,9 +75,9 @@ TEST(Updated, RefusesMapsThatWereNotMadeAlike) {
   EXPECT_EQ(refusal([](AlignabilityMap&) {}), "");
   EXPECT_THAT(refusal([](AlignabilityMap& map) { map.geometry.origin.x() += 0.1; }), testing::HasSubstr("another grid"));
   EXPECT_THAT(refusal([](AlignabilityMap& map) { map.sensor = "name: b\n"; }), testing::HasSubstr("another sensor file"));
-  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.seed = 4; }), testing::HasSubstr("another seed"));
-  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.options = "samples: 4\n"; }), testing::HasSubstr("another choice of options"));
-  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.layers.pop_back(); }), testing::HasSubstr("another choice of layers"));
+  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.seed = 4; }), testing::HasSubstr("the seed 4, not 3"));
+  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.options = "samples: 4\n"; }), testing::HasSubstr("'samples: 4', not 'samples: 3'"));
+  EXPECT_THAT(refusal([](AlignabilityMap& map) { map.layers.pop_back(); }), testing::HasSubstr("other layers"));
 }
 
 }  // namespace

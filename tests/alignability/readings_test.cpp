@@ -12,6 +12,7 @@
 
 #include "alignability/alignability.hpp"
 #include "alignability/information.hpp"
+#include "core/pose.hpp"
 #include "lidar/thinning.hpp"
 #include "tests/alignability/patches.hpp"
 #include "tests/alignability/simulated.hpp"
@@ -27,12 +28,12 @@ AlignabilityOptions reading(std::vector<Reading> readings, double range_stddev =
 }
 
 // What an HDL-32E with 2 cm of noise sees.
-Scan noisy_scan(std::vector<TriangleMesh> meshes) {
+Scan noisy_scan(std::vector<TriangleMesh> meshes, std::uint64_t seed = 1) {
   LidarModel lidar = test::hdl32e();
   lidar.range_stddev = 0.02;
   Eigen::Isometry3d T_map_lidar = Eigen::Isometry3d::Identity();
   T_map_lidar.translation().z() = 1.9;
-  return simulate_scan(Scene(std::move(meshes)), lidar, T_map_lidar, {.range_max = 6.5}, NoiseKey{.seed = 1});
+  return simulate_scan(Scene(std::move(meshes)), lidar, T_map_lidar, {.range_max = 6.5}, NoiseKey{.seed = seed});
 }
 
 TEST(Readings, AreNanWhereNotAskedFor) {
@@ -75,15 +76,37 @@ TEST(Voxel, IsTheAlphaOfTheThinnedScan) {
   const double expected = score(thin, {}).alignability.alpha;
   EXPECT_LT(thin.points.size(), scan.points.size() / 2);
   EXPECT_EQ(score(scan, reading({Reading::voxel})).alignability.readings.voxel, expected);
-  AlignabilityOptions strided = reading({Reading::voxel});
+  AlignabilityOptions strided = reading({Reading::voxel});  // a thinned scan has no columns
   strided.segmentation.stride = 4;
   EXPECT_EQ(score(scan, strided).alignability.readings.voxel, expected);
 }
 
 TEST(Robust, ReadsABareFloorAsNothingWhereNoiseMakesAlphaOfIt) {
-  const Alignability floor = score(noisy_scan(test::floor_and({})), reading({Reading::robust})).alignability;
-  EXPECT_GT(floor.alpha, 0.01);
-  EXPECT_LT(floor.readings.robust, 1e-3);
+  for (std::uint64_t seed = 1; seed <= 10; ++seed) {
+    for (const int stride : {1, 4}) {
+      AlignabilityOptions options = reading({Reading::robust, Reading::information});
+      options.segmentation.stride = stride;
+      const Alignability floor = score(noisy_scan(test::floor_and({}), seed), options).alignability;
+      EXPECT_GT(floor.alpha, 0.01);
+      EXPECT_LT(floor.readings.robust, 1e-3) << "seed " << seed << ", stride " << stride;
+      // A tenth of a metre, a degree: what a single line of a wall would give is a thousand times that.
+      EXPECT_LT(floor.readings.information.least, 1.0 / (0.1 * 0.1)) << "seed " << seed << ", stride " << stride;
+      EXPECT_LT(floor.readings.information.yaw, 1.0 / (radians(1) * radians(1))) << "seed " << seed << ", stride " << stride;
+    }
+  }
+}
+
+// Those that vote stand for the columns between; which planes are kept differs a little.
+TEST(Information, IsOfAllPointsWhateverTheStride) {
+  const Scan scan =
+      test::scan_of(test::floor_and({test::box({3.0, -50.0, 0.0}, {3.2, 50.0, 4.0}), test::box({-50.0, 2.0, 0.0}, {50.0, 2.2, 4.0})}),
+                    NoiseKey{.seed = 1});
+  AlignabilityOptions options = reading({Reading::information}, 0.008);
+  const PlanarInformation all = score(scan, options).alignability.readings.information;
+  options.segmentation.stride = 4;
+  const PlanarInformation strided = score(scan, options).alignability.readings.information;
+  EXPECT_NEAR(strided.least / all.least, 1.0, 0.1);
+  EXPECT_NEAR(strided.yaw / all.yaw, 1.0, 0.1);
 }
 
 TEST(Robust, ReadsACorridorAsNothingAndThreeWallsAsOne) {
@@ -149,7 +172,7 @@ TEST(Information, IsTheSumOverPointsOfTheirPlanesNormals) {
       }
       plane.shape = detail::shape_of(scan, plane.members);
     }
-    const Eigen::Matrix3d matrix = detail::planar_information(planes, T_base_lidar, kStddev).matrix;
+    const Eigen::Matrix3d matrix = detail::planar_information(planes, T_base_lidar, kStddev, 1).matrix;
     EXPECT_LT((matrix - expected).norm(), 1e-9 * expected.norm());
   }
 }
@@ -190,6 +213,16 @@ TEST(Readings, OfACubeOrNoiseWithoutSizeAreRefused) {
   options = {};
   options.range_stddev = 0.0;
   EXPECT_THROW(Scorer{options}, std::invalid_argument);
+}
+
+TEST(Scorer, RefusesTooFewNeighboursAndAReadingAskedForTwice) {
+  AlignabilityOptions options;
+  options.segmentation.normal_neighbours = 2;
+  EXPECT_THROW(Scorer{options}, std::invalid_argument);
+  options = {};
+  options.segmentation.growing_neighbours = 0;
+  EXPECT_THROW(Scorer{options}, std::invalid_argument);
+  EXPECT_THROW(Scorer{reading({Reading::voxel, Reading::voxel})}, std::invalid_argument);
 }
 
 TEST(ForLidar, TakesLeastRangeNoiseAndMountFromTheModel) {

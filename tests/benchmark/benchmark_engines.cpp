@@ -6,6 +6,7 @@
 //   benchmark_engines SCAN…                               recorded scans
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 #include <cstdio>
 #include <iterator>
 #include <numeric>
@@ -97,17 +98,26 @@ std::vector<double> ranks_of(const std::vector<double>& values) {
   std::iota(order.begin(), order.end(), std::size_t{0});
   std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
   std::vector<double> ranks(values.size());
-  for (std::size_t k = 0; k < order.size(); ++k) ranks[order[k]] = static_cast<double>(k);
+  for (std::size_t begin = 0; begin < order.size();) {  // equal values share the mean of their ranks
+    std::size_t end = begin;
+    while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;
+    for (std::size_t k = begin; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(begin + end - 1);
+    begin = end;
+  }
   return ranks;
 }
 
 double spearman(const std::vector<double>& a, const std::vector<double>& b) {
   const std::vector<double> x = ranks_of(a);
   const std::vector<double> y = ranks_of(b);
-  double sum = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) sum += (x[i] - y[i]) * (x[i] - y[i]);
-  const auto n = static_cast<double>(x.size());
-  return 1.0 - 6.0 * sum / (n * (n * n - 1.0));
+  const double mean = 0.5 * (static_cast<double>(x.size()) - 1.0);
+  double xy = 0.0, xx = 0.0, yy = 0.0;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    xy += (x[i] - mean) * (y[i] - mean);
+    xx += (x[i] - mean) * (x[i] - mean);
+    yy += (y[i] - mean) * (y[i] - mean);
+  }
+  return xy / std::sqrt(xx * yy);
 }
 
 double quantile_of(std::vector<double> values, double share) {

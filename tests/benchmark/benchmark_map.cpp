@@ -71,7 +71,7 @@ void print_split(const Scene& scene, const LidarModel& lidar) {
       tracing, simulating - tracing, exact, kMostStride, strided, strided / tracing);
 }
 
-// Seconds for the same hundred cells.
+// Seconds for the same part of the map.
 double build_seconds(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, int threads) {
   MapOptions options;
   options.range_max = kRangeMax;
@@ -107,7 +107,7 @@ int run() {
   print_split(scene, lidar);
   const double one = build_seconds(scene, occupancy, lidar, 1);
   const double two = build_seconds(scene, occupancy, lidar, 2);
-  std::printf("a hundred cells: one thread %.2f s, two %.2f s, %.2f times as fast\n", one, two, one / two);
+  std::printf("a part of the map: one thread %.2f s, two %.2f s, %.2f times as fast\n", one, two, one / two);
   std::fflush(stdout);
   print_memory(scene, occupancy, lidar);
   return 0;

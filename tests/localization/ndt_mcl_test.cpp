@@ -34,32 +34,33 @@ TEST(Moved, GoesInThePosesOwnFrame) {
   EXPECT_NEAR(pose.yaw, radians(-170), 1e-12);
 }
 
+// One cell seen, that the map has where x is right to within the cell, and not elsewhere.
 TEST(NdtMcl, WeighsParticlesByHandComputedScores) {
-  // One cell seen, half-way up; two particles stand where it matches with a known distance, or misses the map.
   const auto map = std::make_shared<const Ndt>(cloud_about({2.2f, 0.2f, 1.0f}, 1), NdtOptions{.cell = 0.4});
   const Ndt scan(cloud_about({2.2f, 0.2f, 1.0f}, 2), {.cell = 0.4});
-  ASSERT_EQ(scan.cells().size(), map->cells().size());
+  ASSERT_EQ(map->cells().size(), 1u);
+  ASSERT_EQ(scan.cells().size(), 1u);
   const NdtCell& there = map->cells()[0];
   const NdtCell& seen = scan.cells()[0];
-  const Eigen::Vector3d apart = seen.mean - there.mean;
-  const double d2 = apart.dot((there.covariance + seen.covariance).inverse() * apart);
+  const Eigen::Matrix3d both = there.covariance + seen.covariance;
   for (const CellCombination combination : {CellCombination::sum, CellCombination::product}) {
-    const double on = combination == CellCombination::sum ? 1.0 + match_score(d2) : match_score(d2);
-    const double off = combination == CellCombination::sum ? 1.0 : 0.1;
-    // Two particles, 5 m apart: one at the origin, wherever the seed puts the other.
-    NdtMcl mcl(map, {0.0, 0.0, 0.0}, kExactly, {.particles = 1, .combination = combination}, 1);
+    NdtMcl mcl(map, {0.0, 0.0, 0.0}, {0.3, 0.0, 0.0}, {.particles = 200, .combination = combination, .resample_below = 0.0}, 2);
     mcl.see(scan);
-    EXPECT_EQ(mcl.particles()[0].weight, 1.0);
-    NdtMclOptions options{.particles = 200, .combination = combination, .resample_below = 0.0};
-    NdtMcl spread(map, {0.0, 0.0, 0.0}, {5.0, 0.0, 0.0}, options, 2);
-    spread.see(scan);
-    double least = 1.0;
-    for (const Particle& particle : spread.particles()) least = std::min(least, particle.weight);
-    for (const Particle& particle : spread.particles()) {
-      EXPECT_GE(particle.weight, least);
-      EXPECT_LE(particle.weight / least, (combination == CellCombination::sum ? 2.0 : 1.0) / off + 1e-9);
+    std::vector<double> expected;
+    int matched = 0;
+    for (const Particle& particle : mcl.particles()) {
+      const Eigen::Vector3d mean = seen.mean + Eigen::Vector3d(particle.pose.x, 0.0, 0.0);
+      const Eigen::Vector3d apart = mean - there.mean;
+      const bool matches = mean.x() >= 2.0 && mean.x() < 2.4;
+      const double score = 0.1 + 0.9 * std::exp(-0.025 * apart.dot(both.inverse() * apart));
+      matched += matches ? 1 : 0;
+      expected.push_back(combination == CellCombination::sum ? 1.0 + (matches ? score : 0.0) : (matches ? score : 0.1));
     }
-    EXPECT_GT(on, off);
+    EXPECT_GT(matched, 50);
+    EXPECT_LT(matched, 150);
+    double sum = 0.0;
+    for (const double weight : expected) sum += weight;
+    for (std::size_t i = 0; i < expected.size(); ++i) EXPECT_NEAR(mcl.particles()[i].weight, expected[i] / sum, 1e-12);
   }
 }
 
