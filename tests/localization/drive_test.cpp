@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "localization/drive.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <numbers>
+#include <stdexcept>
+
+#include "localization/survey.hpp"
+#include "tests/alignability/simulated.hpp"
+
+namespace alignability {
+namespace {
+
+using test::box;
+
+TEST(PosesAlong, KeepSpeedAndPeriodAndEndAtTheEnd) {
+  const std::vector<Pose2> path{{0.0, 0.0, 0.0}, {3.0, 0.0, 0.0}, {3.0, 4.0, 0.0}};
+  const auto poses = poses_along(path, {.speed = 2.0, .turn_rate = 1.0}, 0.1);
+  EXPECT_EQ(poses.front().pose, path.front());
+  EXPECT_EQ(poses.back().pose, path.back());
+  EXPECT_NEAR(poses.back().seconds, 3.5, 1e-12);
+  EXPECT_NEAR(poses.back().s, 7.0, 1e-12);
+  EXPECT_EQ(poses.size(), 36u);
+  for (std::size_t i = 1; i + 1 < poses.size(); ++i) {
+    EXPECT_NEAR(poses[i].seconds, 0.1 * static_cast<double>(i), 1e-12);
+    EXPECT_NEAR(poses[i].s, 2.0 * poses[i].seconds, 1e-9);
+  }
+}
+
+TEST(PosesAlong, TakeTheirTimeToTurnOnTheSpot) {
+  const std::vector<Pose2> path{{0.0, 0.0, 0.0}, {0.0, 0.0, std::numbers::pi / 2}, {1.0, 0.0, std::numbers::pi / 2}};
+  const auto poses = poses_along(path, {.speed = 1.0, .turn_rate = 0.5}, 0.1);
+  EXPECT_NEAR(poses.back().seconds, std::numbers::pi + 1.0, 1e-12);
+  EXPECT_NEAR(poses[10].pose.yaw, 0.5, 1e-9);
+  EXPECT_EQ(poses[10].s, 0.0);
+}
+
+TEST(PosesAlong, OfOnePoseOrNoneAreAsMany) {
+  EXPECT_TRUE(poses_along({}, {}, 0.1).empty());
+  EXPECT_EQ(poses_along(std::vector<Pose2>{{1.0, 2.0, 3.0}}, {}, 0.1).size(), 1u);
+}
+
+TEST(PosesAlong, RefuseToStandStill) {
+  EXPECT_THROW(poses_along({}, {.speed = 0.0}, 0.1), std::invalid_argument);
+  EXPECT_THROW(poses_along({}, {.turn_rate = -1.0}, 0.1), std::invalid_argument);
+  EXPECT_THROW(poses_along({}, {}, 0.0), std::invalid_argument);
+}
+
+// A room rich in surfaces at one end of a plain corridor, 40 m long.
+Scene room_and_corridor() {
+  return Scene({box({-8.0, -6.0, -0.1}, {42.0, 6.0, 0.0}), box({-8.2, -5.0, 0.0}, {-8.0, 5.0, 3.0}), box({-8.0, 5.0, 0.0}, {0.0, 5.2, 3.0}),
+                box({-8.0, -5.2, 0.0}, {0.0, -5.0, 3.0}), box({0.0, 1.5, 0.0}, {0.2, 5.0, 3.0}), box({0.0, -5.0, 0.0}, {0.2, -1.5, 3.0}),
+                box({0.0, 1.5, 0.0}, {40.0, 1.7, 3.0}), box({0.0, -1.7, 0.0}, {40.0, -1.5, 3.0}), box({-6.5, 2.0, 0.0}, {-5.5, 3.5, 2.5}),
+                box({-3.0, -4.0, 0.0}, {-2.0, -3.0, 2.5})});
+}
+
+OccupancyMap all_free() { return OccupancyMap(Grid<float>({.resolution = 0.5, .origin = {-8.0, -5.0}, .width = 96, .height = 20}, 0.0f)); }
+
+LidarModel coarse_lidar() {
+  LidarModel model = test::hdl32e();
+  model.columns = 720;
+  return model;
+}
+
+std::vector<DriveSample> driven(std::uint64_t seed) {
+  const Scene scene = room_and_corridor();
+  const LidarModel lidar = coarse_lidar();
+  const auto cloud = survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5});
+  const auto map = std::make_shared<const Ndt>(cloud, NdtOptions{});
+  DriveOptions options{.pace = {.speed = 1.5}, .odometry = {.scale_bias = 0.04}, .range_max = 6.5, .seed = seed};
+  options.filter.combination = CellCombination::product;
+  const std::vector<Pose2> path{{-4.0, 0.0, 0.0}, {28.0, 0.0, 0.0}};
+  return drive(scene, lidar, map, path, options);
+}
+
+TEST(Drive, LosesItsWayInTheCorridorAndNotInTheRoom) {
+  const std::vector<DriveSample> samples = driven(1);
+  double in_room = 0.0;
+  for (const DriveSample& sample : samples) {
+    if (sample.truth.pose.x < -1.0) in_room = std::max(in_room, sample.truth.seconds > 0.5 ? sample.error() : 0.0);
+  }
+  EXPECT_LT(in_room, 0.1);
+  EXPECT_GT(samples.back().error(), 0.3) << "some 20 m of it show nothing along the way, at a bias of 4 %";
+  EXPECT_LT(samples.back().error(), 2.0);
+}
+
+TEST(Drive, GoesAlikeWithTheSameSeed) {
+  const std::vector<DriveSample> first = driven(1), again = driven(1);
+  ASSERT_EQ(first.size(), again.size());
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].estimate, again[i].estimate);
+}
+
+TEST(Survey, SeesSurfacesFromWhereTheRobotCanBe) {
+  const Scene scene({box({-5.0, -5.0, -0.1}, {5.0, 5.0, 0.0}), box({-5.2, -5.0, 0.0}, {-5.0, 5.0, 3.0})});
+  const OccupancyMap occupancy(Grid<float>({.resolution = 0.5, .origin = {-5.0, -5.0}, .width = 20, .height = 20}, 0.0f));
+  const auto cloud = survey(scene, occupancy, coarse_lidar(), {.spacing = 1.0, .thinning = 0.1});
+  ASSERT_GT(cloud.size(), 1000u);
+  for (const Eigen::Vector3f& point : cloud) {
+    // The mean of a cube's points, which may be of the floor and of the wall.
+    EXPECT_LT(std::min(std::abs(point.z()), std::abs(point.x() + 5.0f)), 0.1f) << point.transpose();
+    EXPECT_GT(point.x(), -5.1f) << "the wall's far side";
+  }
+  EXPECT_THROW(survey(scene, occupancy, coarse_lidar(), {.spacing = 0.0}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace alignability
