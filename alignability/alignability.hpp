@@ -57,10 +57,10 @@ struct ScoredScan {
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< of the eigenvalues, by column; the last is the weakest direction
 };
 
-/// Scores scan after scan, keeping its memory. One a thread; what it has scored before changes nothing.
-/// Never throws for the content of a scan: one without planes scores 0. Throws std::invalid_argument for a stride that is not from 1 to
-/// kMostStride, or more than 1 with PCL, for fewer neighbours than documented, a reading asked for twice, and a voxel or range_stddev that
-/// is not greater than 0.
+/// Scores scan after scan, keeping its memory: the native engine asks for more only where a scan is larger than all before, or for
+/// readings. One a thread; what it has scored before changes nothing. Never throws for the content of a scan: one without planes scores 0.
+/// Throws std::invalid_argument for a stride that is not from 1 to kMostStride, or more than 1 with PCL, for fewer neighbours than
+/// documented, a reading asked for twice, and a voxel or range_stddev that is not greater than 0.
 class Scorer {
  public:
   explicit Scorer(const AlignabilityOptions& options);

@@ -75,7 +75,7 @@ RawBox NearestPoints::set_queries(std::span<const std::int32_t> slots) {
 }
 
 void NearestPoints::gather_blocks(const RawBox& around) {
-  const std::vector<Boxes>& levels = points_->levels();
+  const std::span<const Boxes> levels = points_->levels();
   blocks_[0] = 0;  // above the top level, whose nodes are its children
   block_count_ = 1;
   for (std::size_t level = levels.size(); level-- > 0;) {

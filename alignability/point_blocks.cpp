@@ -144,7 +144,7 @@ void PointBlocks::build_boxes() {
       }
     }
   }
-  levels_.resize(level);
+  level_count_ = level;
 }
 
 }  // namespace alignability::detail

@@ -42,7 +42,7 @@ class PointBlocks {
   /// Where in `coordinates` the x of a slot is; its y and z are eight and sixteen after it.
   static std::size_t place(std::int32_t slot) { return static_cast<std::size_t>(slot + (slot / kBlock) * 2 * kBlock); }
   /// The boxes of the blocks, then of each level above; a level's size is a whole number of `kChildren`.
-  const std::vector<Boxes>& levels() const { return levels_; }
+  std::span<const Boxes> levels() const { return std::span(levels_).first(level_count_); }
 
  private:
   struct Kept {
@@ -68,7 +68,8 @@ class PointBlocks {
   std::vector<std::int32_t> tiled_;
   std::vector<std::int32_t> scan_index_;
   std::vector<float> coordinates_;
-  std::vector<Boxes> levels_;
+  std::vector<Boxes> levels_;  // those of the largest scan so far
+  std::size_t level_count_ = 0;
 };
 
 }  // namespace alignability::detail

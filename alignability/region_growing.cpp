@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "alignability/region_growing.hpp"
 
+#include <algorithm>
 #include <bit>
-#include <boost/sort/spreadsort/integer_sort.hpp>
 #include <cmath>
+#include <numeric>
 
 namespace alignability::detail {
 namespace {
@@ -32,7 +33,8 @@ void RegionGrower::grow(const NeighbourGraph& graph, const GrowingOptions& optio
   }
 }
 
-// The bits of floats that are not negative are in their order; those of the place behind make every key another.
+// The bits of floats that are not negative are in their order; those of the place behind make every key another. By counting on the
+// upper bits first, since curvatures lie all over their range; in memory that is kept.
 void RegionGrower::sort_seeds(const NeighbourGraph& graph) {
   seeds_.clear();
   for (std::size_t block = 0; block < graph.points.size(); ++block) {
@@ -41,7 +43,18 @@ void RegionGrower::sort_seeds(const NeighbourGraph& graph) {
       seeds_.push_back(std::uint64_t{std::bit_cast<std::uint32_t>(graph.normals[slot].curvature)} << 32 | slot);
     }
   }
-  boost::sort::spreadsort::integer_sort(seeds_.begin(), seeds_.end());
+  constexpr int kLowerBits = 48;
+  bucket_ends_.assign((std::size_t{1} << (64 - kLowerBits)) + 1, 0);
+  for (const std::uint64_t key : seeds_) ++bucket_ends_[(key >> kLowerBits) + 1];
+  std::partial_sum(bucket_ends_.begin(), bucket_ends_.end(), bucket_ends_.begin());
+  bucketed_.resize(seeds_.size());
+  for (const std::uint64_t key : seeds_) bucketed_[bucket_ends_[key >> kLowerBits]++] = key;  // moves each beginning to its end
+  seeds_.swap(bucketed_);
+  std::uint32_t begin = 0;
+  for (const std::uint32_t end : bucket_ends_) {
+    if (end - begin > 1) std::sort(seeds_.begin() + begin, seeds_.begin() + end);
+    begin = end;
+  }
 }
 
 // False where a segment has it.

@@ -50,6 +50,8 @@ class RegionGrower {
   bool take(std::int32_t slot);
 
   std::vector<std::uint64_t> seeds_;
+  std::vector<std::uint64_t> bucketed_;
+  std::vector<std::uint32_t> bucket_ends_;
   std::vector<std::uint8_t> free_;  // of each block the slots whose points are in no segment yet
   std::vector<std::int32_t> members_;
   std::vector<std::size_t> ends_;
