@@ -160,10 +160,13 @@ TEST(Alignability, NamesThePlaneOfEachPoint) {
 }
 
 TEST(Alignability, OptionsAreWrittenOutWhole) {
-  EXPECT_EQ(to_yaml(AlignabilityOptions{}),
-            "engine: native\nmin_range: 0.5\nnormal_neighbours: 30\ngrowing_neighbours: 15\nsmoothness_deg: 3\ncurvature: 1\nmin_points: "
-            "50\nstride: 1\n"
-            "plane_threshold: 0.05\nmin_area: 0.01\ncentred: false\n");
+  AlignabilityOptions options;
+  const std::string text =
+      "engine: native\nengine_revision: 2\nmin_range: 0.5\nnormal_neighbours: 30\ngrowing_neighbours: 15\nsmoothness_deg: 3\n"
+      "curvature: 1\nmin_points: 50\nstride: 1\nplane_threshold: 0.05\nmin_area: 0.01\ncentred: false\n";
+  EXPECT_EQ(to_yaml(options), text);
+  options.readings = {Reading::robust, Reading::information};
+  EXPECT_EQ(to_yaml(options), text + "readings: [robust, information]\nvoxel: 0.08\nrange_stddev: 0.02\n");
 }
 
 }  // namespace
