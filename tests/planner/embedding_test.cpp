@@ -4,7 +4,6 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/geometric/SimpleSetup.h>
 #include <ompl/geometric/planners/AnytimePathShortening.h>
-#include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/rrt/RRTConnect.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
 #include <ompl/tools/benchmark/Benchmark.h>
@@ -83,7 +82,8 @@ TEST_F(Embedded, ServesBenchmarksOfManyPlanners) {
   ompl::tools::Benchmark benchmark(setup, "two corridors");
   benchmark.addPlanner(std::make_shared<FieldPlanner>(si));
   benchmark.addPlanner(std::make_shared<og::RRTstar>(si));
-  benchmark.addPlanner(std::make_shared<og::BITstar>(si, "kBITstar"));
+  // Not BIT*, whose progress OMPL's Benchmark reads from a thread of its own while BIT* changes it: a crash now and then.
+  benchmark.addPlanner(std::make_shared<og::RRTConnect>(si));
   ompl::tools::Benchmark::Request request(0.5 * test::kPatience, 4096.0, 2);
   request.displayProgress = false;
   request.saveConsoleOutput = false;
