@@ -45,18 +45,14 @@ void NearestPoints::search(std::span<const std::int32_t> slots, int count) {
     bounds_.fill(radius2_);
     if (kernel.select(distances2_.data(), candidates, count, bounds_.data(), found.data(), bits_.data())) break;
   }
-  for (int query = 0; query < kQueries; ++query) {
-    if (found[static_cast<std::size_t>(query)] > count) drop_farthest(query, count);
-  }
+  drop_surplus(found, count);
   radius2_ = std::clamp(kRadiusMargin * *std::ranges::max_element(bounds_), kLeastRadius2, kMostRadius2);
 }
 
 void NearestPoints::narrow(int count) {
   std::array<std::int32_t, kQueries> found;
   nearest_kernel().select(distances2_.data(), block_count_ * PointBlocks::kBlock, count, bounds_.data(), found.data(), bits_.data());
-  for (int query = 0; query < kQueries; ++query) {
-    if (found[static_cast<std::size_t>(query)] > count) drop_farthest(query, count);
-  }
+  drop_surplus(found, count);
 }
 
 // Returns the box around them.
@@ -83,6 +79,12 @@ void NearestPoints::gather_blocks(const RawBox& around) {
     block_count_ = nearest_kernel().near_children(raw(levels[level]), nodes_.data(), block_count_, around, radius2_, blocks_.data());
   }
   while (block_count_ % kBlocksOfWord != 0) blocks_[static_cast<std::size_t>(block_count_++)] = points_->blocks();
+}
+
+void NearestPoints::drop_surplus(const std::array<std::int32_t, kQueries>& found, int count) {
+  for (int query = 0; query < kQueries; ++query) {
+    if (found[static_cast<std::size_t>(query)] > count) drop_farthest(query, count);
+  }
 }
 
 // Of equally and of nearly equally far ones.

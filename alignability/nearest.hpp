@@ -42,6 +42,7 @@ class NearestPoints {
  private:
   RawBox set_queries(std::span<const std::int32_t> slots);
   void gather_blocks(const RawBox& around);
+  void drop_surplus(const std::array<std::int32_t, kQueries>& found, int count);
   void drop_farthest(int query, int count);
 
   struct Ranked {
