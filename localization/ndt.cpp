@@ -3,8 +3,6 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
-#include <cmath>
-#include <limits>
 #include <stdexcept>
 
 #include "core/range.hpp"
@@ -28,18 +26,6 @@ Eigen::Matrix3d with_least_width(const Eigen::Matrix3d& covariance, double flatt
 
 }  // namespace
 
-std::size_t Ndt::CubeHash::operator()(const Cube& cube) const {
-  const auto word = [](std::int32_t value) { return static_cast<std::uint64_t>(static_cast<std::uint32_t>(value)); };
-  std::uint64_t hash = word(cube.x) * 0x9e3779b97f4a7c15U ^ word(cube.y) * 0xc2b2ae3d27d4eb4fU ^ word(cube.z) * 0x165667b19e3779f9U;
-  return hash ^ hash >> 29;
-}
-
-Ndt::Cube Ndt::cube_of(const Eigen::Vector3d& place) const {
-  constexpr double kFar = std::numeric_limits<std::int32_t>::max();
-  const Eigen::Array3d cube = (place.array() / cell_).floor().max(-kFar).min(kFar);
-  return {static_cast<std::int32_t>(cube.x()), static_cast<std::int32_t>(cube.y()), static_cast<std::int32_t>(cube.z())};
-}
-
 Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : cell_(options.cell) {
   if (!kPositive.contains(options.cell)) throw std::invalid_argument("the side of a cell must be greater than 0");
   if (options.min_points < 4) throw std::invalid_argument("a cell needs at least 4 points");
@@ -49,7 +35,7 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
   for (const Eigen::Vector3f& point : points) {
     if (!point.allFinite()) continue;
     const Eigen::Vector3d place = point.cast<double>();
-    const Cube cube = cube_of(place);
+    const Cube cube = cube_of(place, cell_);
     const auto [found, is_new] = numbers.try_emplace(cube, all.size());
     if (is_new) all.push_back({cube, {.center = place}});
     Sums& sums = all[found->second].second;
@@ -70,7 +56,7 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
 
 const NdtCell* Ndt::find(const Eigen::Vector3d& place) const {
   if (!place.allFinite()) return nullptr;
-  const auto found = index_.find(cube_of(place));
+  const auto found = index_.find(cube_of(place, cell_));
   return found == index_.end() ? nullptr : &cells_[static_cast<std::size_t>(found->second)];
 }
 

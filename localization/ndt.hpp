@@ -7,6 +7,8 @@
 #include <unordered_map>
 #include <vector>
 
+#include "localization/cube.hpp"
+
 namespace alignability {
 
 struct NdtOptions {
@@ -34,16 +36,6 @@ class Ndt {
   std::span<const NdtCell> cells() const { return cells_; }
 
  private:
-  struct Cube {
-    std::int32_t x, y, z;
-    bool operator==(const Cube&) const = default;
-  };
-  struct CubeHash {
-    std::size_t operator()(const Cube& cube) const;
-  };
-
-  Cube cube_of(const Eigen::Vector3d& place) const;
-
   double cell_;
   std::vector<NdtCell> cells_;
   std::unordered_map<Cube, std::int32_t, CubeHash> index_;

@@ -56,11 +56,6 @@ void normalize(std::vector<Particle>& particles) {
 
 double match_score(double distance2) { return 0.1 + 0.9 * std::exp(-0.05 * distance2 / 2.0); }
 
-Pose2 moved(const Pose2& pose, const Pose2& motion) {
-  const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
-  return {pose.x + c * motion.x - s * motion.y, pose.y + s * motion.x + c * motion.y, normalized_angle(pose.yaw + motion.yaw)};
-}
-
 NdtMcl::NdtMcl(std::shared_ptr<const Ndt> map, const Pose2& start, const Pose2& deviations, const NdtMclOptions& options,
                std::uint64_t seed)
     : map_(std::move(map)), options_(options), engine_(seed) {
@@ -78,15 +73,11 @@ NdtMcl::NdtMcl(std::shared_ptr<const Ndt> map, const Pose2& start, const Pose2& 
 double NdtMcl::normal() { return boost::random::normal_distribution<double>()(engine_); }
 
 void NdtMcl::move(const Pose2& motion) {
-  const double metres = motion.position().norm();
-  const double turned = std::abs(motion.yaw);
-  const auto deviation = [&](double Pose2::*axis) {
-    return options_.noise.per_metre.*axis * metres + options_.noise.per_radian.*axis * turned;
-  };
+  const Pose2 deviations = deviations_of(motion, options_.noise);
   for (Particle& particle : particles_) {
-    const double x = motion.x + deviation(&Pose2::x) * normal();
-    const double y = motion.y + deviation(&Pose2::y) * normal();
-    const double yaw = motion.yaw + deviation(&Pose2::yaw) * normal();
+    const double x = motion.x + deviations.x * normal();
+    const double y = motion.y + deviations.y * normal();
+    const double yaw = motion.yaw + deviations.yaw * normal();
     particle.pose = moved(particle.pose, {x, y, yaw});
   }
 }

@@ -8,16 +8,10 @@
 #include <vector>
 
 #include "core/pose.hpp"
+#include "localization/motion_noise.hpp"
 #include "localization/ndt.hpp"
 
 namespace alignability {
-
-/// How far a motion may lead elsewhere than odometry has it: standard deviations along x and y of `base_link` [m] and of yaw [rad], in
-/// proportion to the metres driven and, on top, to the radians turned.
-struct MotionNoise {
-  Pose2 per_metre{0.05, 0.05, 0.01};
-  Pose2 per_radian{0.1, 0.01, 0.1};
-};
 
 /// How the matches of a scan's cells make a weight.
 enum class CellCombination {
@@ -70,8 +64,5 @@ class NdtMcl {
   std::vector<Particle> particles_;
   int seen_ = 0;  // since particles were drawn
 };
-
-/// The pose reached from `pose` by a motion in its frame.
-Pose2 moved(const Pose2& pose, const Pose2& motion);
 
 }  // namespace alignability
