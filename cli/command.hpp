@@ -20,5 +20,6 @@ void add_map(CLI::App& app, Work& work);
 void add_plan(CLI::App& app, Work& work);
 void add_compare(CLI::App& app, Work& work);
 void add_evaluate(CLI::App& app, Work& work);
+void add_validate(CLI::App& app, Work& work);
 
 }  // namespace alignability::cli

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "cli/command.hpp"
+#include "cli/compare_drive.hpp"
 #include "cli/compare_output.hpp"
+#include "cli/drive_site.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
@@ -19,10 +21,15 @@
 namespace alignability::cli {
 namespace {
 
+// With --pairs, so many of them are driven.
+constexpr std::size_t kDrivenPairs = 10;
+
 struct Options {
   ProblemOptions problem;
   std::vector<double> weights;
   std::optional<std::size_t> pairs;
+  std::optional<int> drives;  // a path
+  DriveSiteOptions drive;
   bool json = false;
   std::optional<std::filesystem::path> output;
 };
@@ -35,6 +42,10 @@ void write_paths(const PlanProblem& problem, const RiskField& risk, const Compar
   write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
   draw_paths(problem.alignability, problem.occupancy, paths, picture_options(problem.query, name.filename().string()),
              with_ending(name, ".png"));
+}
+
+DriveSite drive_site(const Options& options, const OccupancyMap& occupancy, const Interrupt& interrupt) {
+  return load_drive_site(problem_file(options.problem), options.problem.file, occupancy, options.drive, interrupt.token());
 }
 
 PlanOptions plan_options(const Interrupt& interrupt) { return {.stop = interrupt.token()}; }
@@ -53,7 +64,13 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
   const Comparison comparison{curve.front(),
                               *std::ranges::find(curve, problem.query.weight, [](const PlanResult& at) { return at.query.weight; })};
   if (interrupt.token().stop_requested()) throw Interrupted();
-  const Json summary = options.weights.empty() ? compare_json(comparison) : compare_json(comparison, curve);
+  Json summary = options.weights.empty() ? compare_json(comparison) : compare_json(comparison, curve);
+  std::vector<DrivenComparison> driven;
+  if (options.drives && solved(comparison)) {
+    const DriveSite site = drive_site(options, problem.occupancy, interrupt);
+    driven = drive_comparisons({&comparison, 1}, site, *options.drives, *fields.clearance).front();
+    summary["drive"] = drive_json(driven, *options.drives);
+  }
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
     write_paths(problem, *fields.risk, comparison, name);
@@ -65,7 +82,10 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
     const PlanResult& failed = comparison.shortest.status != PlanStatus::solved ? comparison.shortest : comparison.risk_aware;
     return say_no(options.problem.file, failed);
   }
-  if (!options.json) print_table(comparison);
+  if (!options.json) {
+    print_table(comparison);
+    print_drive(driven, options.drives.value_or(0));
+  }
   if (!options.json && !options.weights.empty()) print_curve(curve);
   return kYes;
 }
@@ -78,7 +98,15 @@ int compare_random_pairs(const Options& options, const PlanProblem& problem, con
         problem.query, fields,
         {.count = *options.pairs, .seed = problem.query.planner.seed, .plan = plan_options(interrupt), .progress = bar.callback()});
   }
-  const Json summary = pairs_json(pairs);
+  Json summary = pairs_json(pairs);
+  const std::vector<std::size_t> chosen = most_different(pairs, options.drives ? kDrivenPairs : 0);
+  std::vector<std::vector<DrivenComparison>> driven;
+  if (options.drives) {
+    std::vector<Comparison> different;
+    for (const std::size_t number : chosen) different.push_back(pairs[number]);
+    driven = drive_comparisons(different, drive_site(options, problem.occupancy, interrupt), *options.drives, *fields.clearance);
+    for (std::size_t i = 0; i < chosen.size(); ++i) summary["each"][chosen[i]]["drive"] = drive_json(driven[i], *options.drives);
+  }
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
     draw_distribution(pairs, with_ending(name, ".png"));
@@ -89,6 +117,7 @@ int compare_random_pairs(const Options& options, const PlanProblem& problem, con
     print({summary});
   } else {
     print_distribution(pairs);
+    if (options.drives) print_driven_pairs(pairs, chosen, driven, *options.drives);
   }
   return std::ranges::all_of(pairs, solved) ? kYes : kNo;
 }
@@ -113,6 +142,11 @@ void add_compare(CLI::App& app, Work& work) {
   command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(weights);
+  command
+      ->add_option("--drive", options->drives,
+                   "Drive both paths that many times and compare how far off a localizer is; with --pairs, the ten that differ most")
+      ->check(CLI::Range(1, 100'000));
+  add_drive_options(*command, options->drive);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output,
                       "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
@@ -120,6 +154,7 @@ void add_compare(CLI::App& app, Work& work) {
   command->footer(
       "Examples:\n"
       "  alignability compare maps/warehouse/problem.yaml --weights 1,2,5,10 -o comparison\n"
+      "  alignability compare maps/warehouse/problem.yaml --drive 20 -o driven\n"
       "  alignability compare maps/warehouse/problem.yaml --pairs 100 --iterations 5000 -o pairs");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -51,11 +51,14 @@ std::string unknown_option(const CLI::App& command, const std::vector<std::strin
 
 // The likeliest cause of a wrong command line is a misspelt word, so those are looked for before CLI11 is heard.
 std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
-  const std::vector<CLI::App*> chosen = app.get_subcommands();
-  if (chosen.empty() && !words.empty() && !words.front().starts_with("-")) {
-    return "unknown command '" + words.front() + '\'' + did_you_mean(words.front(), command_names(app));
+  const CLI::App* command = &app;
+  std::size_t depth = 0;
+  for (; !command->get_subcommands().empty(); ++depth) command = command->get_subcommands().front();
+  const std::vector<std::string> names = command_names(*command);
+  if (!names.empty() && depth < words.size() && !words[depth].starts_with("-")) {
+    return "unknown command '" + words[depth] + '\'' + did_you_mean(words[depth], names);
   }
-  const std::string unknown = unknown_option(chosen.empty() ? app : *chosen.front(), words);
+  const std::string unknown = unknown_option(*command, words);
   return unknown.empty() ? error.what() : unknown;
 }
 
@@ -97,6 +100,7 @@ int main(int argc, char** argv) {
   add_plan(app, work);
   add_compare(app, work);
   add_evaluate(app, work);
+  add_validate(app, work);
   refuse_what_is_no_number(app);
   try {
     app.parse(argc, argv);

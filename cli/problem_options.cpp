@@ -23,7 +23,7 @@ void add_problem_options(CLI::App& command, ProblemOptions& options) {
   command.add_option("--goal", options.goal, "x,y,yaw [m, m, rad]")->expected(3)->delimiter(',');
 }
 
-PlanProblem load(const ProblemOptions& options) {
+ProblemFile problem_file(const ProblemOptions& options) {
   ProblemFile file = read_problem_file(options.file);
   file.map = options.map.value_or(file.map);
   file.alignability = options.alignability.value_or(file.alignability);
@@ -39,7 +39,9 @@ PlanProblem load(const ProblemOptions& options) {
   query.weight = options.weight.value_or(query.weight);
   if (!options.start.empty()) query.start = {options.start[0], options.start[1], options.start[2]};
   if (!options.goal.empty()) query.goal = {options.goal[0], options.goal[1], options.goal[2]};
-  return load_problem(file);
+  return file;
 }
+
+PlanProblem load(const ProblemOptions& options) { return load_problem(problem_file(options)); }
 
 }  // namespace alignability::cli

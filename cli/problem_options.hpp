@@ -27,6 +27,10 @@ struct ProblemOptions {
 
 void add_problem_options(CLI::App& command, ProblemOptions& options);
 
+/// The problem file with what the command line says.
+ProblemFile problem_file(const ProblemOptions& options);
+
+/// The same with its maps read.
 PlanProblem load(const ProblemOptions& options);
 
 }  // namespace alignability::cli

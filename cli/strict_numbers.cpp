@@ -48,6 +48,7 @@ std::function<std::string(std::string&)> check_for(const std::string& type) {
 
 void refuse_what_is_no_number(CLI::App& app) {
   for (CLI::App* command : app.get_subcommands({})) {
+    refuse_what_is_no_number(*command);
     for (CLI::Option* option : command->get_options()) {
       // A transformation, though it changes nothing, for those come before all checks.
       if (const auto check = check_for(option->get_type_name())) option->transform(CLI::Validator(check, ""));

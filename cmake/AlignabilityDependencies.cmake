@@ -25,12 +25,12 @@ set(alignability_alignability_beneath costmap lidar)
 set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)
 
 set(alignability_localization_beneath costmap lidar)
-set(alignability_localization_private "Boost 1.74 CONFIG")
+set(alignability_localization_private "Boost 1.74 CONFIG" TBB yaml-cpp)
 
 set(alignability_pictures_beneath costmap)
 set(alignability_pictures_private AlignabilityCairomm)
 
-set(alignability_cli_beneath alignability planner pictures)
+set(alignability_cli_beneath alignability planner localization pictures)
 set(alignability_cli_private CLI11 nlohmann_json)
 
 # alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.

@@ -2,7 +2,9 @@
 #include "localization/drive.hpp"
 
 #include <algorithm>
+#include <boost/random/normal_distribution.hpp>
 #include <cmath>
+#include <random>
 #include <stdexcept>
 
 #include "core/progress.hpp"
@@ -32,6 +34,25 @@ std::vector<Eigen::Vector3f> in_base(const Scan& scan, const Eigen::Isometry3d& 
   return points;
 }
 
+// What a drive draws at random, each from numbers of its own.
+enum class Part : std::uint64_t { odometry = 1, start, localizer, ranges };
+
+// SplitMix64 (Steele, Lea and Flood 2014).
+std::uint64_t seed_of(std::uint64_t seed, Part part) {
+  std::uint64_t mixed = seed + static_cast<std::uint64_t>(part) * 0x9e3779b97f4a7c15U;
+  mixed = (mixed ^ mixed >> 30) * 0xbf58476d1ce4e5b9U;
+  mixed = (mixed ^ mixed >> 27) * 0x94d049bb133111ebU;
+  return mixed ^ mixed >> 31;
+}
+
+Pose2 off_by(const Pose2& pose, const Pose2& deviations, std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  boost::random::normal_distribution<double> normal;
+  const double x = deviations.x * normal(engine);
+  const double y = deviations.y * normal(engine);
+  return {pose.x + x, pose.y + y, normalized_angle(pose.yaw + deviations.yaw * normal(engine))};
+}
+
 }  // namespace
 
 std::vector<TimedPose> poses_along(std::span<const Pose2> path, const Pace& pace, double period) {
@@ -57,21 +78,32 @@ std::vector<TimedPose> poses_along(std::span<const Pose2> path, const Pace& pace
   return poses;
 }
 
-std::vector<DriveSample> drive(const Scene& scene, const LidarModel& lidar, std::shared_ptr<const Ndt> map, std::span<const Pose2> path,
-                               const DriveOptions& options) {
+Drive drive(const Scene& scene, const LidarModel& lidar, const LocalizationMap& map, std::span<const Pose2> path,
+            const DriveOptions& options, std::uint64_t seed, std::stop_token stop) {
   const std::vector<TimedPose> poses = poses_along(path, options.pace, 1.0 / lidar.rate);
-  std::vector<DriveSample> samples;
+  Drive samples;
   if (poses.empty()) return samples;
-  Odometry odometry(options.odometry, options.seed);
-  NdtMcl filter(std::move(map), path.front(), options.start_deviations, options.filter, options.seed);
+  Odometry odometry(options.odometry, seed_of(seed, Part::odometry));
+  std::vector<RunningLocalizer> localizers;
+  const Pose2 start = off_by(path.front(), options.localizer.start_deviations, seed_of(seed, Part::start));
+  for (const Localizer localizer : options.localizers) {
+    localizers.emplace_back(localizer, map, start, options.localizer, seed_of(seed, Part::localizer));
+  }
   for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (options.stop.stop_requested()) throw Interrupted();
-    if (i > 0) filter.move(odometry.report(motion_between(poses[i - 1].pose, poses[i].pose)));
-    const NoiseKey noise{.seed = options.seed, .cell = i, .sample = 0};
+    if (stop.stop_requested()) throw Interrupted();
+    const Pose2 motion = i > 0 ? odometry.report(motion_between(poses[i - 1].pose, poses[i].pose)) : Pose2{};
+    const NoiseKey noise{.seed = seed_of(seed, Part::ranges), .cell = i, .sample = 0};
     const Eigen::Isometry3d T_map_lidar = T_map_base(poses[i].pose, options.floor) * lidar.T_base_lidar;
     const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = options.range_max}, noise);
-    filter.see(Ndt(in_base(scan, lidar.T_base_lidar), options.ndt));
-    samples.push_back({poses[i], filter.estimate()});
+    const std::vector<Eigen::Vector3f> points = in_base(scan, lidar.T_base_lidar);
+    const Ndt ndt(points, options.localizer.ndt);
+    DriveSample sample{poses[i], {}};
+    for (RunningLocalizer& localizer : localizers) {
+      localizer.move(motion);
+      localizer.see(points, ndt);
+      sample.estimates.push_back(localizer.estimate());
+    }
+    samples.push_back(std::move(sample));
   }
   return samples;
 }

@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -9,7 +8,7 @@
 
 #include "lidar/lidar_model.hpp"
 #include "lidar/scene.hpp"
-#include "localization/ndt_mcl.hpp"
+#include "localization/localizer.hpp"
 #include "localization/odometry.hpp"
 
 namespace alignability {
@@ -30,28 +29,30 @@ struct TimedPose {
 /// path without poses.
 std::vector<TimedPose> poses_along(std::span<const Pose2> path, const Pace& pace, double period);
 
+/// What a robot is and does on any path.
 struct DriveOptions {
-  Pace pace;
-  OdometryError odometry = {};
-  NdtOptions ndt = {};  ///< of the scans
-  NdtMclOptions filter = {};
-  Pose2 start_deviations{0.1, 0.1, radians(1)};  ///< what the filter knows of the start
-  std::optional<double> range_max = {};          ///< [m] crops the sensor's own range
-  double floor = 0.0;                            ///< z of `base_link` in `map` [m]
-  std::uint64_t seed = 1;                        ///< of odometry, range noise and filter
-  std::stop_token stop = {};
+  Pace pace = {};
+  OdometryError odometry = {};                                   ///< the truth, of which localizers know nothing
+  std::vector<Localizer> localizers = {Localizer::ndt_mcl_sum};  ///< all see the same drive
+  LocalizerOptions localizer = {};
+  std::optional<double> range_max = {};  ///< [m] crops the sensor's own range
+  double floor = 0.0;                    ///< z of `base_link` in `map` [m]
 };
 
 struct DriveSample {
   TimedPose truth;
-  Pose2 estimate;
+  std::vector<Pose2> estimates;  ///< one a localizer, in their order
 
-  double error() const { return (estimate.position() - truth.pose.position()).norm(); }  ///< [m]
+  double error(std::size_t localizer) const { return (estimates[localizer].position() - truth.pose.position()).norm(); }  ///< [m]
 };
 
-/// Drives the true path, whatever the localizer believes, with a scan each turn of the lidar, taken in an instant, and localizes by NDT-MCL
-/// on a map. The same seed gives the same errors on every path. Throws Interrupted.
-std::vector<DriveSample> drive(const Scene& scene, const LidarModel& lidar, std::shared_ptr<const Ndt> map, std::span<const Pose2> path,
-                               const DriveOptions& options);
+/// A sample each turn of the lidar, and one at the end.
+using Drive = std::vector<DriveSample>;
+
+/// Drives the true path, whatever localizers believe, with a scan each turn of the lidar, taken in an instant. Localizers start from a pose
+/// that is as far off as they expect. The seed stands for all errors, of odometry, ranges and start: the same one gives the same errors
+/// on every path. Throws Interrupted, and std::invalid_argument for options out of range.
+Drive drive(const Scene& scene, const LidarModel& lidar, const LocalizationMap& map, std::span<const Pose2> path,
+            const DriveOptions& options, std::uint64_t seed, std::stop_token stop);
 
 }  // namespace alignability

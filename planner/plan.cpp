@@ -207,6 +207,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   result.query.risk = fields.risk->options();
   if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
+  if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
   if (const auto refused = refusal(query, area)) {
     result.status = *refused;

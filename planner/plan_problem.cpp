@@ -100,6 +100,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   file.scene = yaml.find_path("scene");
   file.sensor = yaml.find_path("sensor");
   file.range_max = yaml.find_number("range_max", kPositive);
+  file.drive = yaml.find_path("drive");
   file.query.robot = read_robot(yaml.map("robot"));
   if (const auto motion = yaml.find_map("motion")) file.query.motion = read_motion(*motion);
   if (const auto refusal = refusal_of_space(file.query)) yaml.fail("motion", *refusal);

@@ -54,6 +54,7 @@ struct ProblemFile {
   std::optional<std::filesystem::path> scene;
   std::optional<std::filesystem::path> sensor;
   std::optional<double> range_max;
+  std::optional<std::filesystem::path> drive;
   PlanQuery query;
 };
 

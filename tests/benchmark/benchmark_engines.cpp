@@ -9,13 +9,13 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <numeric>
 #include <random>
 #include <string>
 #include <vector>
 
 #include "alignability/alignability.hpp"
 #include "core/distribution.hpp"
+#include "core/rank_correlation.hpp"
 #include "core/range.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
@@ -93,33 +93,6 @@ Row measure(std::string name, Engines& engines, const Scan& scan, std::mt19937_6
   return row;
 }
 
-std::vector<double> ranks_of(const std::vector<double>& values) {
-  std::vector<std::size_t> order(values.size());
-  std::iota(order.begin(), order.end(), std::size_t{0});
-  std::ranges::sort(order, {}, [&](std::size_t i) { return values[i]; });
-  std::vector<double> ranks(values.size());
-  for (std::size_t begin = 0; begin < order.size();) {  // equal values share the mean of their ranks
-    std::size_t end = begin;
-    while (end < order.size() && values[order[end]] == values[order[begin]]) ++end;
-    for (std::size_t k = begin; k < end; ++k) ranks[order[k]] = 0.5 * static_cast<double>(begin + end - 1);
-    begin = end;
-  }
-  return ranks;
-}
-
-double spearman(const std::vector<double>& a, const std::vector<double>& b) {
-  const std::vector<double> x = ranks_of(a);
-  const std::vector<double> y = ranks_of(b);
-  const double mean = 0.5 * (static_cast<double>(x.size()) - 1.0);
-  double xy = 0.0, xx = 0.0, yy = 0.0;
-  for (std::size_t i = 0; i < x.size(); ++i) {
-    xy += (x[i] - mean) * (y[i] - mean);
-    xx += (x[i] - mean) * (x[i] - mean);
-    yy += (y[i] - mean) * (y[i] - mean);
-  }
-  return xy / std::sqrt(xx * yy);
-}
-
 double quantile_of(std::vector<double> values, double share) {
   std::ranges::sort(values);
   return quantile(values, share);
@@ -148,12 +121,12 @@ void print(const std::string& what, const std::vector<Row>& rows) {
               quantile_of(own, 1.0));
   std::printf("  native off PCL     median %.5f, 99 %% %.5f, max %.5f; within max(0.005, own) %.1f %%; Spearman %.5f\n",
               off(&Row::native, 0.5), off(&Row::native, 0.99), off(&Row::native, 1.0),
-              100.0 * static_cast<double>(within) / static_cast<double>(rows.size()), spearman(alpha(&Row::native), alpha(&Row::pcl)));
+              100.0 * static_cast<double>(within) / static_cast<double>(rows.size()), rank_correlation(alpha(&Row::native), alpha(&Row::pcl)));
   const Row& worst = std::ranges::max(rows, {}, [](const Row& row) { return std::abs(row.native.alpha - row.pcl.alpha); });
   std::printf("  most off           %s: PCL %.5f, native %.5f, PCL's own spread %.5f\n", worst.scan.c_str(), worst.pcl.alpha,
               worst.native.alpha, worst.own_spread);
   std::printf("  stride %d off PCL   median %.5f, 99 %% %.5f, max %.5f; Spearman %.5f\n", kStride, off(&Row::strided, 0.5),
-              off(&Row::strided, 0.99), off(&Row::strided, 1.0), spearman(alpha(&Row::strided), alpha(&Row::pcl)));
+              off(&Row::strided, 0.99), off(&Row::strided, 1.0), rank_correlation(alpha(&Row::strided), alpha(&Row::pcl)));
   const double pcl = median_ms(&Row::pcl);
   std::printf("  ms a scan          PCL %.1f, native %.1f (%.1f x), stride %d %.1f (%.1f x)\n", pcl, median_ms(&Row::native),
               pcl / median_ms(&Row::native), kStride, median_ms(&Row::strided), pcl / median_ms(&Row::strided));

@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "localization/drive.hpp"
-
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +6,7 @@
 #include <stdexcept>
 
 #include "localization/survey.hpp"
+#include "localization/trials.hpp"
 #include "tests/alignability/simulated.hpp"
 
 namespace alignability {
@@ -64,32 +63,64 @@ LidarModel coarse_lidar() {
   return model;
 }
 
-std::vector<DriveSample> driven(std::uint64_t seed) {
+// Along the corridor at 4 % bias, with each localizer.
+Drive driven(std::uint64_t seed) {
   const Scene scene = room_and_corridor();
   const LidarModel lidar = coarse_lidar();
-  const auto cloud = survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5});
-  const auto map = std::make_shared<const Ndt>(cloud, NdtOptions{});
-  DriveOptions options{.pace = {.speed = 1.5}, .odometry = {.scale_bias = 0.04}, .range_max = 6.5, .seed = seed};
-  options.filter.combination = CellCombination::product;
+  DriveOptions options{.pace = {.speed = 1.5}, .odometry = {.scale_bias = 0.04}, .range_max = 6.5};
+  options.localizers = {Localizer::ndt_mcl_product, Localizer::scan_matching};
+  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), options.localizer);
   const std::vector<Pose2> path{{-4.0, 0.0, 0.0}, {28.0, 0.0, 0.0}};
-  return drive(scene, lidar, map, path, options);
+  return drive(scene, lidar, map, path, options, seed, {});
 }
 
-TEST(Drive, LosesItsWayInTheCorridorAndNotInTheRoom) {
-  const std::vector<DriveSample> samples = driven(1);
-  double in_room = 0.0;
-  for (const DriveSample& sample : samples) {
-    if (sample.truth.pose.x < -1.0) in_room = std::max(in_room, sample.truth.seconds > 0.5 ? sample.error() : 0.0);
+TEST(Drive, LosesItsWayInTheCorridorAndNotInTheRoomWithEachLocalizer) {
+  const Drive samples = driven(1);
+  for (const std::size_t localizer : {0u, 1u}) {
+    double in_room = 0.0;
+    for (const DriveSample& sample : samples) {
+      if (sample.truth.pose.x < -1.0 && sample.truth.seconds > 1.0) in_room = std::max(in_room, sample.error(localizer));
+    }
+    EXPECT_LT(in_room, 0.1);
+    EXPECT_GT(samples.back().error(localizer), 0.3) << "some 20 m of it show nothing along the way, at a bias of 4 %";
+    EXPECT_LT(samples.back().error(localizer), 2.0);
   }
-  EXPECT_LT(in_room, 0.1);
-  EXPECT_GT(samples.back().error(), 0.3) << "some 20 m of it show nothing along the way, at a bias of 4 %";
-  EXPECT_LT(samples.back().error(), 2.0);
 }
 
-TEST(Drive, GoesAlikeWithTheSameSeed) {
-  const std::vector<DriveSample> first = driven(1), again = driven(1);
+TEST(Drive, GoesAlikeWithTheSameSeedAndOtherwiseWithAnother) {
+  const Drive first = driven(1), again = driven(1), other = driven(2);
   ASSERT_EQ(first.size(), again.size());
-  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].estimate, again[i].estimate);
+  for (std::size_t i = 0; i < first.size(); ++i) EXPECT_EQ(first[i].estimates, again[i].estimates);
+  EXPECT_NE(first.back().estimates, other.back().estimates);
+}
+
+TEST(Trials, AreTheDrivesOfTheirSeedsForAnyNumberOfThreads) {
+  const Scene scene = room_and_corridor();
+  LidarModel lidar = coarse_lidar();
+  lidar.columns = 180;
+  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), {});
+  const std::vector<std::vector<Pose2>> paths{{{-4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}, {{-4.0, 2.0, 0.0}, {-4.0, -2.0, 0.0}}};
+  TrialOptions options{.drive = {.range_max = 6.5}, .runs = 3, .seed = 5, .threads = 2};
+  std::size_t told = 0;
+  options.progress = [&](Progress progress) { told = progress.done; };
+  const auto drives = drive_trials(scene, lidar, map, paths, options);
+  EXPECT_EQ(told, 6u);
+  ASSERT_EQ(drives.size(), 2u);
+  ASSERT_EQ(drives[1].size(), 3u);
+  const Drive alone = drive(scene, lidar, map, paths[1], options.drive, 7, {});
+  ASSERT_EQ(drives[1][2].size(), alone.size());
+  for (std::size_t i = 0; i < alone.size(); ++i) EXPECT_EQ(drives[1][2][i].estimates, alone[i].estimates);
+  options.runs = 0;
+  EXPECT_THROW(drive_trials(scene, lidar, map, paths, options), std::invalid_argument);
+}
+
+TEST(Trials, StopWhenAsked) {
+  std::stop_source stop;
+  stop.request_stop();
+  const Scene scene = room_and_corridor();
+  const LocalizationMap map({}, {});
+  const std::vector<std::vector<Pose2>> paths{{{-4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}};
+  EXPECT_THROW(drive_trials(scene, coarse_lidar(), map, paths, {.drive = {}, .stop = stop.get_token()}), Interrupted);
 }
 
 TEST(Survey, SeesSurfacesFromWhereTheRobotCanBe) {

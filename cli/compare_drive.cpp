@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/compare_drive.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "cli/progress_bar.hpp"
+#include "cli/validate_output.hpp"
+
+namespace alignability::cli {
+namespace {
+
+void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
+  char relative[32] = "";
+  if (shortest > 0.0) std::snprintf(relative, sizeof relative, "%6.2f x", risk_aware / shortest);
+  std::printf("%-18s %10.2f %-2s %10.2f %-2s %10s\n", name, shortest, unit, risk_aware, unit, relative);
+}
+
+}  // namespace
+
+std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Comparison> comparisons, const DriveSite& site, int runs,
+                                                             const ClearanceMap& clearance) {
+  std::vector<std::vector<Pose2>> paths;
+  for (const Comparison& comparison : comparisons) {
+    paths.push_back(comparison.shortest.path);
+    paths.push_back(comparison.risk_aware.path);
+  }
+  TrialOptions trials = site.trials;
+  trials.runs = runs;
+  ProgressBar bar("drives");
+  trials.progress = bar.callback();
+  const std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, paths, trials);
+  std::vector<std::vector<DrivenComparison>> driven(comparisons.size());
+  for (std::size_t i = 0; i < comparisons.size(); ++i) {
+    if (!solved(comparisons[i])) continue;
+    const double radius = circumscribed_radius(comparisons[i].shortest.query.robot);
+    for (std::size_t k = 0; k < trials.drive.localizers.size(); ++k) {
+      driven[i].push_back({trials.drive.localizers[k], path_errors(drives[2 * i], k, clearance, radius, {}),
+                           path_errors(drives[2 * i + 1], k, clearance, radius, {})});
+    }
+  }
+  return driven;
+}
+
+std::vector<std::size_t> most_different(std::span<const Comparison> pairs, std::size_t count) {
+  const auto difference = [&](std::size_t i) {
+    return pairs[i].shortest.figures.risk_integral - pairs[i].risk_aware.figures.risk_integral;
+  };
+  std::vector<std::size_t> numbers;
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (solved(pairs[i])) numbers.push_back(i);
+  }
+  std::ranges::stable_sort(numbers, std::ranges::greater{}, difference);
+  numbers.resize(std::min(count, numbers.size()));
+  return numbers;
+}
+
+Json drive_json(std::span<const DrivenComparison> driven, int runs) {
+  Json json = Json::array();
+  for (const DrivenComparison& by : driven) {
+    json.push_back({{"localizer", to_string(by.localizer)},
+                    {"runs", runs},
+                    {"shortest", errors_json(by.shortest)},
+                    {"risk_aware", errors_json(by.risk_aware)}});
+  }
+  return json;
+}
+
+void print_drive(std::span<const DrivenComparison> driven, int runs) {
+  for (const DrivenComparison& by : driven) {
+    std::printf("\n%s, driven %d times\n", to_string(by.localizer), runs);
+    print_row("error, mean", by.shortest.mean.value, by.risk_aware.mean.value, "m");
+    print_row("error, 95 %", by.shortest.p95.value, by.risk_aware.p95.value, "m");
+    print_row("error, max", by.shortest.max.value, by.risk_aware.max.value, "m");
+    print_row("error at the goal", by.shortest.goal.value, by.risk_aware.goal.value, "m");
+    print_row("runs lost", 100.0 * by.shortest.lost.value, 100.0 * by.risk_aware.lost.value, "%");
+  }
+}
+
+void print_driven_pairs(std::span<const Comparison> pairs, std::span<const std::size_t> chosen,
+                        std::span<const std::vector<DrivenComparison>> driven, int runs) {
+  std::printf("\nthe %zu pairs that differ most, driven %d times on either path; error [m] and runs lost, shortest / risk-aware\n",
+              chosen.size(), runs);
+  std::printf("%5s %7s %15s  %-17s %15s %15s %15s\n", "pair", "length", "blind [m]", "localizer", "mean", "95 %", "lost [%]");
+  for (std::size_t i = 0; i < chosen.size(); ++i) {
+    const Comparison& pair = pairs[chosen[i]];
+    for (const DrivenComparison& by : driven[i]) {
+      std::printf("%5zu %5.2f x %6.1f / %6.1f  %-17s %6.3f / %6.3f %6.3f / %6.3f %6.0f / %6.0f\n", chosen[i], length_ratio(pair),
+                  pair.shortest.figures.blind_length, pair.risk_aware.figures.blind_length, to_string(by.localizer), by.shortest.mean.value,
+                  by.risk_aware.mean.value, by.shortest.p95.value, by.risk_aware.p95.value, 100.0 * by.shortest.lost.value,
+                  100.0 * by.risk_aware.lost.value);
+    }
+  }
+}
+
+}  // namespace alignability::cli

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/drive_site.hpp"
+
+#include <iostream>
+
+#include "cli/progress_bar.hpp"
+#include "cli/scene_options.hpp"
+#include "core/input_error.hpp"
+#include "localization/drive_file.hpp"
+#include "localization/moved_objects.hpp"
+#include "localization/survey.hpp"
+
+namespace alignability::cli {
+namespace {
+
+const std::filesystem::path& named(const std::optional<std::filesystem::path>& path, const char* key,
+                                   const std::filesystem::path& problem_file) {
+  if (!path) throw InputError(problem_file, std::string("driving needs the key '") + key + "': a file");
+  return *path;
+}
+
+std::vector<Localizer> localizers_of(const std::vector<std::string>& names) {
+  std::vector<Localizer> localizers;
+  for (const std::string& name : names) {
+    const auto localizer = localizer_named(name);
+    if (!localizer) throw std::invalid_argument("--localizer: " + refusal_of_localizer(name));
+    localizers.push_back(*localizer);
+  }
+  return localizers;
+}
+
+DriveOptions drive_options(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
+  DriveOptions drive = read_drive_file(options.file ? *options.file : named(problem.drive, "drive", problem_file));
+  if (!options.localizers.empty()) drive.localizers = localizers_of(options.localizers);
+  drive.odometry.scale_bias = options.scale_bias.value_or(drive.odometry.scale_bias);
+  drive.range_max = problem.range_max;
+  return drive;
+}
+
+// What the localizers know of the site, made as a robot would make it.
+std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, const Scene& scene, const OccupancyMap& occupancy,
+                                       const LidarModel& lidar, const DriveOptions& drive, const DriveSiteOptions& options,
+                                       std::stop_token stop) {
+  ProgressBar bar("localizer's map");
+  const SurveyOptions survey_options{.range_max = drive.range_max, .floor = drive.floor, .progress = bar.callback(), .stop = stop};
+  if (options.moved == 0.0) return survey(scene, occupancy, lidar, survey_options);
+  MovedObjects site = with_moved_objects(meshes, options.moved, options.seed);
+  std::cerr << site.moved << " of " << site.movable << " loose objects moved in the localizer's map\n";
+  return survey(Scene(std::move(site.meshes)), occupancy, lidar, survey_options);
+}
+
+}  // namespace
+
+void add_drive_options(CLI::App& command, DriveSiteOptions& options) {
+  command.add_option("--drive-file", options.file, "What drives and how it is localized, in place of the problem's file");
+  command.add_option("--localizer", options.localizers, "In place of the file's: ndt_mcl_sum, ndt_mcl_product, scan_matching, or several")
+      ->delimiter(',');
+  command.add_option("--odometry-bias", options.scale_bias, "Share by which odometry reports the way too long, in place of the file's")
+      ->check(CLI::Range(-0.5, 0.5));
+  command.add_option("--noise", options.noise, "Standard deviation of ranges [m], in place of the sensor's")->check(CLI::NonNegativeNumber);
+  command
+      .add_option("--moved", options.moved, "Share of the loose objects (up to 1.6 x 1.6 x 2.2 m) that the localizer's map has elsewhere")
+      ->check(CLI::Range(0.0, 1.0));
+  command.add_option("--drive-seed", options.seed, "Seed of the first run's errors and of what moved")->capture_default_str();
+  command.add_option("--threads", options.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
+  add_world_options(command, options.reading);
+}
+
+DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::path& problem_file, const OccupancyMap& occupancy,
+                          const DriveSiteOptions& options, std::stop_token stop) {
+  DriveOptions drive = drive_options(problem, problem_file, options);
+  LidarModel lidar = read_lidar_model(named(problem.sensor, "sensor", problem_file));
+  lidar.range_stddev = options.noise.value_or(lidar.range_stddev);
+  const std::vector<TriangleMesh> meshes = read_meshes(named(problem.scene, "scene", problem_file), options.reading);
+  Scene scene(meshes);
+  const std::vector<Eigen::Vector3f> cloud = map_cloud(meshes, scene, occupancy, lidar, drive, options, stop);
+  LocalizationMap map(cloud, drive.localizer);
+  TrialOptions trials{.drive = std::move(drive), .seed = options.seed, .threads = options.threads, .stop = stop};
+  return {std::move(scene), std::move(lidar), std::move(map), std::move(trials)};
+}
+
+}  // namespace alignability::cli

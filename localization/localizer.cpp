@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "localization/localizer.hpp"
+
+#include <vector>
+
+#include "core/input_error.hpp"
+
+namespace alignability {
+namespace {
+
+std::variant<NdtMcl, ScanMatcher> started(Localizer localizer, const LocalizationMap& map, const Pose2& start,
+                                          const LocalizerOptions& options, std::uint64_t seed) {
+  if (localizer == Localizer::scan_matching) return ScanMatcher(map.planes, start, options.start_deviations, options.scan_matcher);
+  NdtMclOptions ndt_mcl = options.ndt_mcl;
+  ndt_mcl.combination = localizer == Localizer::ndt_mcl_sum ? CellCombination::sum : CellCombination::product;
+  return NdtMcl(map.ndt, start, options.start_deviations, ndt_mcl, seed);
+}
+
+}  // namespace
+
+const char* to_string(Localizer localizer) {
+  for (const auto& [name, named] : kLocalizers) {
+    if (named == localizer) return name;
+  }
+  return "";
+}
+
+std::optional<Localizer> localizer_named(std::string_view name) {
+  for (const auto& [known, localizer] : kLocalizers) {
+    if (known == name) return localizer;
+  }
+  return std::nullopt;
+}
+
+std::string refusal_of_localizer(const std::string& name) {
+  std::vector<std::string> names;
+  std::string refusal = "there is no localizer '" + name + '\'';
+  for (const auto& known : kLocalizers) names.emplace_back(known.first);
+  refusal += did_you_mean(name, names);
+  refusal += ": take ";
+  for (std::size_t i = 0; i < names.size(); ++i) refusal += (i == 0 ? "" : i + 1 < names.size() ? ", " : " or ") + names[i];
+  return refusal;
+}
+
+LocalizationMap::LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options)
+    : ndt(std::make_shared<const Ndt>(cloud, options.ndt)), planes(std::make_shared<const PlaneMap>(cloud, PlaneMapOptions{})) {}
+
+RunningLocalizer::RunningLocalizer(Localizer localizer, const LocalizationMap& map, const Pose2& start, const LocalizerOptions& options,
+                                   std::uint64_t seed)
+    : localizer_(started(localizer, map, start, options, seed)) {}
+
+void RunningLocalizer::move(const Pose2& motion) {
+  std::visit([&](auto& localizer) { localizer.move(motion); }, localizer_);
+}
+
+void RunningLocalizer::see(std::span<const Eigen::Vector3f> points, const Ndt& ndt) {
+  if (auto* const mcl = std::get_if<NdtMcl>(&localizer_)) {
+    mcl->see(ndt);
+  } else {
+    std::get<ScanMatcher>(localizer_).see(points);
+  }
+}
+
+Pose2 RunningLocalizer::estimate() const {
+  return std::visit([](const auto& localizer) { return localizer.estimate(); }, localizer_);
+}
+
+}  // namespace alignability
