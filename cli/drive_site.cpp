@@ -42,7 +42,7 @@ std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, 
                                        const LidarModel& lidar, const DriveOptions& drive, const DriveSiteOptions& options,
                                        std::stop_token stop) {
   ProgressBar bar("localizer's map");
-  const SurveyOptions survey_options{.range_max = drive.range_max, .floor = drive.floor, .progress = bar.callback(), .stop = stop};
+  const SurveyOptions survey_options{.range_max = drive.range_max, .floor = drive.floor, .threads = options.threads, .progress = bar.callback(), .stop = stop};
   if (options.moved == 0.0) return survey(scene, occupancy, lidar, survey_options);
   MovedObjects site = with_moved_objects(meshes, options.moved, options.seed);
   std::cerr << site.moved << " of " << site.movable << " loose objects moved in the localizer's map\n";
@@ -74,7 +74,7 @@ DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::pat
   const std::vector<TriangleMesh> meshes = read_meshes(named(problem.scene, "scene", problem_file), options.reading);
   Scene scene(meshes);
   const std::vector<Eigen::Vector3f> cloud = map_cloud(meshes, scene, occupancy, lidar, drive, options, stop);
-  LocalizationMap map(cloud, drive.localizer);
+  LocalizationMap map(cloud, drive.localizer, drive.localizers);
   TrialOptions trials{.drive = std::move(drive), .seed = options.seed, .threads = options.threads, .stop = stop};
   return {std::move(scene), std::move(lidar), std::move(map), std::move(trials)};
 }

@@ -42,8 +42,16 @@ std::string refusal_of_localizer(const std::string& name) {
   return refusal;
 }
 
-LocalizationMap::LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options)
-    : ndt(std::make_shared<const Ndt>(cloud, options.ndt)), planes(std::make_shared<const PlaneMap>(cloud, PlaneMapOptions{})) {}
+LocalizationMap::LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options,
+                                 std::span<const Localizer> localizers) {
+  for (const Localizer localizer : localizers) {
+    if (localizer == Localizer::scan_matching) {
+      if (!planes) planes = std::make_shared<const PlaneMap>(cloud, PlaneMapOptions{});
+    } else if (!ndt) {
+      ndt = std::make_shared<const Ndt>(cloud, options.ndt);
+    }
+  }
+}
 
 RunningLocalizer::RunningLocalizer(Localizer localizer, const LocalizationMap& map, const Pose2& start, const LocalizerOptions& options,
                                    std::uint64_t seed)

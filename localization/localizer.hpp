@@ -37,17 +37,17 @@ struct LocalizerOptions {
 
 /// The map that localizers hold, as each of them reads it.
 struct LocalizationMap {
-  /// Of a cloud in `map`. Throws std::invalid_argument for options out of range.
-  LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options);
+  /// Of a cloud in `map`, for these localizers. Throws std::invalid_argument for options out of range.
+  LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options, std::span<const Localizer> localizers);
 
-  std::shared_ptr<const Ndt> ndt;
-  std::shared_ptr<const PlaneMap> planes;
+  std::shared_ptr<const Ndt> ndt;          ///< nullptr where none of them needs it
+  std::shared_ptr<const PlaneMap> planes;  ///< likewise
 };
 
 /// One of them at work. Not for several threads.
 class RunningLocalizer {
  public:
-  /// Throws std::invalid_argument for options out of range.
+  /// On a map made for it. Throws std::invalid_argument for options out of range.
   RunningLocalizer(Localizer localizer, const LocalizationMap& map, const Pose2& start, const LocalizerOptions& options,
                    std::uint64_t seed);
 

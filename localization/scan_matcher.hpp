@@ -27,8 +27,8 @@ struct ScanMatcherOptions {
   int iterations = 10;  ///< at most, of matching points anew from where the last led
 };
 
-/// Point-to-plane scan matching on a map (Chen and Medioni 1992), fused with odometry by an iterated extended Kalman filter, whose update is
-/// a Gauss-Newton method from the predicted pose (Bell and Cathey 1993; with a lidar's points: Xu and Zhang, FAST-LIO, 2021). Points off
+/// Point-to-plane scan matching on a map (Chen and Medioni 1992), fused with odometry by an iterated extended Kalman filter, whose update
+/// is a Gauss-Newton method from the predicted pose (Bell and Cathey 1993; with a lidar's points: Xu and Zhang, FAST-LIO, 2021). Points off
 /// the map weigh less (Cauchy). One Gaussian: where two places look alike it follows the nearer. Draws no random numbers. Not for several
 /// threads.
 class ScanMatcher {

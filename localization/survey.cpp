@@ -1,18 +1,59 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localization/survey.hpp"
 
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <span>
 #include <stdexcept>
+#include <unordered_map>
 
 #include "core/range.hpp"
 #include "lidar/simulate_scan.hpp"
-#include "lidar/thinning.hpp"
+#include "localization/cube.hpp"
 
 namespace alignability {
 namespace {
 
 constexpr float kSensorClearance = 0.1f;  // [m]
-// Scans are joined, and thinned together, so many at a time: what is held does not grow with their number.
-constexpr int kScansAtOnce = 32;
+// So many are held before they are thinned: it does not grow with their number.
+constexpr std::size_t kScansAtOnce = 32;
+
+// The mean of the points in each cube, in the order in which the cubes were first met.
+class ThinnedCloud {
+ public:
+  explicit ThinnedCloud(double side) : side_(side) {}
+
+  void add(std::span<const Eigen::Vector3f> points, const Eigen::Isometry3f& T_map_points) {
+    for (const Eigen::Vector3f& point : points) {
+      if (!point.allFinite()) continue;
+      const Eigen::Vector3d place = (T_map_points * point).cast<double>();
+      const auto [found, is_new] = numbers_.try_emplace(cube_of(place, side_), static_cast<std::uint32_t>(sums_.size()));
+      if (is_new) sums_.push_back({Eigen::Vector3d::Zero(), 0.0});
+      Sum& sum = sums_[found->second];
+      sum.of_points += place;
+      sum.count += 1.0;
+    }
+  }
+
+  std::vector<Eigen::Vector3f> points() const {
+    std::vector<Eigen::Vector3f> means;
+    for (const Sum& sum : sums_) means.emplace_back((sum.of_points / sum.count).cast<float>());
+    return means;
+  }
+
+ private:
+  struct Sum {
+    Eigen::Vector3d of_points;
+    double count;
+  };
+
+  double side_;
+  std::unordered_map<Cube, std::uint32_t, CubeHash> numbers_;
+  std::vector<Sum> sums_;
+};
 
 std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
                                       const SurveyOptions& options) {
@@ -33,25 +74,25 @@ std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& oc
 
 std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
                                     const SurveyOptions& options) {
-  if (!kPositive.contains(options.spacing)) throw std::invalid_argument("the spacing of a survey must be greater than 0");
-  std::vector<Eigen::Vector3f> cloud;
-  std::vector<Eigen::Vector3f> fresh;
-  const std::vector<Eigen::Isometry3d> poses = places(scene, occupancy, lidar, options);
-  for (std::size_t i = 0; i < poses.size(); ++i) {
-    if (options.stop.stop_requested()) throw Interrupted();
-    const Scan scan = simulate_scan(scene, lidar, poses[i], {.range_max = options.range_max});
-    const Eigen::Isometry3f T_map_lidar = poses[i].cast<float>();
-    for (const Eigen::Vector3f& point : scan.points) {
-      if (point.allFinite()) fresh.push_back(T_map_lidar * point);
-    }
-    if ((i + 1) % kScansAtOnce == 0 || i + 1 == poses.size()) {
-      fresh.insert(fresh.end(), cloud.begin(), cloud.end());
-      cloud = thinned(fresh, options.thinning);
-      fresh.clear();
-    }
-    if (options.progress) options.progress({i + 1, poses.size()});
+  for (const double length : {options.spacing, options.thinning}) {
+    if (!kPositive.contains(length)) throw std::invalid_argument("the spacing and the thinning of a survey must be greater than 0");
   }
-  return cloud;
+  const std::vector<Eigen::Isometry3d> poses = places(scene, occupancy, lidar, options);
+  ThinnedCloud cloud(options.thinning);
+  tbb::task_group_context context(tbb::task_group_context::isolated,
+                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  for (std::size_t begin = 0; begin < poses.size(); begin += kScansAtOnce) {
+    if (options.stop.stop_requested()) throw Interrupted();
+    std::vector<Scan> scans(std::min(kScansAtOnce, poses.size() - begin));
+    const auto scan_one = [&](std::size_t i) {
+      scans[i] = simulate_scan(scene, lidar, poses[begin + i], {.range_max = options.range_max});
+    };
+    arena.execute([&] { tbb::parallel_for(std::size_t{0}, scans.size(), scan_one, context); });
+    for (std::size_t i = 0; i < scans.size(); ++i) cloud.add(scans[i].points, poses[begin + i].cast<float>());
+    if (options.progress) options.progress({begin + scans.size(), poses.size()});
+  }
+  return cloud.points();
 }
 
 }  // namespace alignability

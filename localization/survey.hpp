@@ -14,17 +14,18 @@
 namespace alignability {
 
 struct SurveyOptions {
-  double spacing = 1.0;                  ///< between the places surveyed from [m]
+  double spacing = 2.0;                  ///< between the places surveyed from [m]
   double thinning = 0.05;                ///< side of the cubes of which each gives one point [m]
   std::optional<double> range_max = {};  ///< [m] crops the sensor's own range
   double floor = 0.0;                    ///< z of `base_link` in `map` [m]
+  int threads = 0;                       ///< 0: one a processor
   ProgressCallback progress = {};
   std::stop_token stop = {};
 };
 
 /// The cloud that scans without noise make of a site, taken at the free places of a lattice: its surfaces as a robot sees them, in `map`,
-/// and not the far sides of walls, which would blur the cells that they share with the near ones. Throws std::invalid_argument for options
-/// out of range, and Interrupted.
+/// and not the far sides of walls, which would blur the cells that they share with the near ones. The same cloud for any number of threads.
+/// Throws std::invalid_argument for options out of range, and Interrupted.
 std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
                                     const SurveyOptions& options);
 

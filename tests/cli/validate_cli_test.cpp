@@ -106,7 +106,7 @@ TEST_F(ValidateCli, SaysWhatIsMissingOrWrong) {
   };
   EXPECT_THAT(fault({"validate"}), HasSubstr("--help"));
   EXPECT_THAT(fault({"validate", "mop", "driving.yaml"}), HasSubstr("unknown command 'mop' (did you mean 'map'?)"));
-  EXPECT_THAT(fault({"validate", "path", "problem.yaml", "path.csv"}), StartsWith("problem.yaml: driving needs the key 'drive'"));
+  EXPECT_THAT(fault({"validate", "path", "problem.yaml", "path.csv"}), HasSubstr("problem.yaml: driving needs the key 'drive'"));
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "missing.csv"}), StartsWith("missing.csv: no such file"));
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "path.csv", "--runs", "0"}), StartsWith("alignability: --runs"));
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "path.csv", "--run", "1"}), HasSubstr("did you mean '--runs'?"));

@@ -69,7 +69,7 @@ Drive driven(std::uint64_t seed) {
   const LidarModel lidar = coarse_lidar();
   DriveOptions options{.pace = {.speed = 1.5}, .odometry = {.scale_bias = 0.04}, .range_max = 6.5};
   options.localizers = {Localizer::ndt_mcl_product, Localizer::scan_matching};
-  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), options.localizer);
+  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), options.localizer, options.localizers);
   const std::vector<Pose2> path{{-4.0, 0.0, 0.0}, {28.0, 0.0, 0.0}};
   return drive(scene, lidar, map, path, options, seed, {});
 }
@@ -94,11 +94,13 @@ TEST(Drive, GoesAlikeWithTheSameSeedAndOtherwiseWithAnother) {
   EXPECT_NE(first.back().estimates, other.back().estimates);
 }
 
+const std::vector<Localizer> kSum{Localizer::ndt_mcl_sum};
+
 TEST(Trials, AreTheDrivesOfTheirSeedsForAnyNumberOfThreads) {
   const Scene scene = room_and_corridor();
   LidarModel lidar = coarse_lidar();
   lidar.columns = 180;
-  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), {});
+  const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), {}, kSum);
   const std::vector<std::vector<Pose2>> paths{{{-4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}, {{-4.0, 2.0, 0.0}, {-4.0, -2.0, 0.0}}};
   TrialOptions options{.drive = {.range_max = 6.5}, .runs = 3, .seed = 5, .threads = 2};
   std::size_t told = 0;
@@ -118,7 +120,7 @@ TEST(Trials, StopWhenAsked) {
   std::stop_source stop;
   stop.request_stop();
   const Scene scene = room_and_corridor();
-  const LocalizationMap map({}, {});
+  const LocalizationMap map({}, {}, kSum);
   const std::vector<std::vector<Pose2>> paths{{{-4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}};
   EXPECT_THROW(drive_trials(scene, coarse_lidar(), map, paths, {.drive = {}, .stop = stop.get_token()}), Interrupted);
 }
