@@ -30,15 +30,16 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
   if (!kPositive.contains(options.cell)) throw std::invalid_argument("the side of a cell must be greater than 0");
   if (options.min_points < 4) throw std::invalid_argument("a cell needs at least 4 points");
   if (!kPositive.contains(options.flattest) || options.flattest > 1.0) throw std::invalid_argument("flattest must be in (0, 1]");
-  std::unordered_map<Cube, std::size_t, CubeHash> numbers;
+  CubeIndex numbers;
   std::vector<std::pair<Cube, Sums>> all;
+  std::size_t last = 0;
   for (const Eigen::Vector3f& point : points) {
     if (!point.allFinite()) continue;
     const Eigen::Vector3d place = point.cast<double>();
     const Cube cube = cube_of(place, cell_);
-    const auto [found, is_new] = numbers.try_emplace(cube, all.size());
-    if (is_new) all.push_back({cube, {.center = place}});
-    Sums& sums = all[found->second].second;
+    if (all.empty() || cube != all[last].first) last = numbers.number(cube);  // a scan's next point is often in the same cell
+    if (last == all.size()) all.push_back({cube, {.center = place}});
+    Sums& sums = all[last].second;
     const Eigen::Vector3d offset = place - sums.center;
     sums.first += offset;
     sums.second += offset * offset.transpose();
@@ -49,15 +50,15 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
     const Eigen::Vector3d mean = sums.first / sums.count;
     const Eigen::Matrix3d covariance = (sums.second - sums.count * mean * mean.transpose()) / (sums.count - 1);
     if (!(covariance.trace() > 0.0)) continue;
-    index_.emplace(cube, static_cast<std::int32_t>(cells_.size()));
+    index_.number(cube);  // that of the cell
     cells_.push_back({sums.center + mean, with_least_width(covariance, options.flattest)});
   }
 }
 
 const NdtCell* Ndt::find(const Eigen::Vector3d& place) const {
   if (!place.allFinite()) return nullptr;
-  const auto found = index_.find(cube_of(place, cell_));
-  return found == index_.end() ? nullptr : &cells_[static_cast<std::size_t>(found->second)];
+  const auto number = index_.find(cube_of(place, cell_));
+  return number ? &cells_[*number] : nullptr;
 }
 
 }  // namespace alignability

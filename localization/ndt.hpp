@@ -2,12 +2,10 @@
 #pragma once
 
 #include <Eigen/Core>
-#include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "localization/cube.hpp"
+#include "localization/cube_index.hpp"
 
 namespace alignability {
 
@@ -38,7 +36,7 @@ class Ndt {
  private:
   double cell_;
   std::vector<NdtCell> cells_;
-  std::unordered_map<Cube, std::int32_t, CubeHash> index_;
+  CubeIndex index_;
 };
 
 }  // namespace alignability

@@ -41,16 +41,17 @@ PlaneMap::PlaneMap(std::span<const Eigen::Vector3f> points, const PlaneMapOption
   std::ranges::sort(order);
   for (const auto& [cube, number] : order) {
     const auto here = static_cast<std::uint32_t>(surfaces_.size());
-    blocks_.try_emplace(cube, Block{here, here}).first->second.end = here + 1;
+    if (index_.number(cube) == blocks_.size()) blocks_.push_back({here, here});
+    blocks_.back().end = here + 1;
     surfaces_.push_back({points[number], Eigen::Vector3f::Zero()});
   }
   for (Surface& surface : surfaces_) surface.normal = normal_at(surface.point, options);
 }
 
 std::span<const Surface> PlaneMap::in(const Cube& cube) const {
-  const auto found = blocks_.find(cube);
-  if (found == blocks_.end()) return {};
-  return std::span(surfaces_).subspan(found->second.begin, found->second.end - found->second.begin);
+  const auto number = index_.find(cube);
+  if (!number) return {};
+  return std::span(surfaces_).subspan(blocks_[*number].begin, blocks_[*number].end - blocks_[*number].begin);
 }
 
 // Those points of a place's cube and of the ones around it that may lie within √`within2`: `visit` takes a surface and its squared

@@ -4,10 +4,9 @@
 #include <Eigen/Core>
 #include <cstdint>
 #include <span>
-#include <unordered_map>
 #include <vector>
 
-#include "localization/cube.hpp"
+#include "localization/cube_index.hpp"
 
 namespace alignability {
 
@@ -48,7 +47,8 @@ class PlaneMap {
 
   double reach_;
   std::vector<Surface> surfaces_;  // by cubes as large as the reach; the normal is zero where there is no plane
-  std::unordered_map<Cube, Block, CubeHash> blocks_;
+  CubeIndex index_;
+  std::vector<Block> blocks_;  // of the cubes, as numbered
 };
 
 }  // namespace alignability

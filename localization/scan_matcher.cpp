@@ -27,8 +27,7 @@ Eigen::Vector3d difference(const Pose2& pose, const Pose2& other) {
   return {pose.x - other.x, pose.y - other.y, normalized_angle(pose.yaw - other.yaw)};
 }
 
-Normals normals_at(const PlaneMap& map, std::span<const Eigen::Vector3f> points, const Pose2& pose, const Eigen::Matrix3d& predicted,
-                   const ScanMatcherOptions& options) {
+Normals normals_at(const PlaneMap& map, std::span<const Eigen::Vector3f> points, const Pose2& pose, const ScanMatcherOptions& options) {
   const double c = std::cos(pose.yaw), s = std::sin(pose.yaw);
   const double variance = options.deviation * options.deviation;
   const double outlier2 = options.outlier * options.outlier;
@@ -42,8 +41,7 @@ Normals normals_at(const PlaneMap& map, std::span<const Eigen::Vector3f> points,
     const Eigen::Vector3d normal = surface->normal.cast<double>();
     const double residual = normal.dot(place - surface->point.cast<double>());
     const Eigen::Vector3d slope(normal.x(), normal.y(), normal.y() * turned.x() - normal.x() * turned.y());
-    const double expected = variance + slope.dot(predicted * slope);
-    const double weight = options.independent_share / (variance * (1.0 + residual * residual / (outlier2 * expected)));
+    const double weight = options.independent_share / (variance + residual * residual / outlier2);
     sums.information += weight * slope * slope.transpose();
     sums.gradient -= weight * residual * slope;
   }
@@ -97,7 +95,7 @@ void ScanMatcher::see(std::span<const Eigen::Vector3f> points) {
   const Pose2 predicted = pose_;
   Eigen::Matrix3d gain = Eigen::Matrix3d::Identity();  // (I + P·A)⁻¹
   for (int iteration = 0; iteration < options_.iterations; ++iteration) {
-    const auto [information, gradient] = normals_at(*map_, scan, pose_, covariance_, options_);
+    const auto [information, gradient] = normals_at(*map_, scan, pose_, options_);
     gain = (Eigen::Matrix3d::Identity() + covariance_ * information).inverse();
     const Eigen::Vector3d step = gain * (covariance_ * gradient - difference(pose_, predicted));
     pose_ = {pose_.x + step.x(), pose_.y + step.y(), normalized_angle(pose_.yaw + step.z())};

@@ -21,8 +21,8 @@ struct ScanMatcherOptions {
   /// normal (0.4 m), share the errors of that normal and of the map: some 3 at this thinning. They share them again with the next scans,
   /// until the robot has gone as far as the patch is wide: some 4 at 1 m/s and 10 Hz. 3 · 4 count as one.
   double independent_share = 1.0 / 12.0;
-  /// The residual at which a point counts half, in standard deviations as expected of it by point and pose (Cauchy's weight; 2.4 costs 5 %
-  /// of the information where nothing is amiss).
+  /// The residual at which a point counts half, in such deviations (Cauchy's weight; 2.4 costs 5 % of the information where nothing is
+  /// amiss).
   double outlier = 2.4;
   int iterations = 10;  ///< at most, of matching points anew from where the last led
 };

@@ -8,11 +8,10 @@
 #include <algorithm>
 #include <span>
 #include <stdexcept>
-#include <unordered_map>
 
 #include "core/range.hpp"
 #include "lidar/simulate_scan.hpp"
-#include "localization/cube.hpp"
+#include "localization/cube_index.hpp"
 
 namespace alignability {
 namespace {
@@ -30,9 +29,9 @@ class ThinnedCloud {
     for (const Eigen::Vector3f& point : points) {
       if (!point.allFinite()) continue;
       const Eigen::Vector3d place = (T_map_points * point).cast<double>();
-      const auto [found, is_new] = numbers_.try_emplace(cube_of(place, side_), static_cast<std::uint32_t>(sums_.size()));
-      if (is_new) sums_.push_back({Eigen::Vector3d::Zero(), 0.0});
-      Sum& sum = sums_[found->second];
+      const std::size_t number = index_.number(cube_of(place, side_));
+      if (number == sums_.size()) sums_.push_back({Eigen::Vector3d::Zero(), 0.0});
+      Sum& sum = sums_[number];
       sum.of_points += place;
       sum.count += 1.0;
     }
@@ -51,7 +50,7 @@ class ThinnedCloud {
   };
 
   double side_;
-  std::unordered_map<Cube, std::uint32_t, CubeHash> numbers_;
+  CubeIndex index_;
   std::vector<Sum> sums_;
 };
 

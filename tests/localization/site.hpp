@@ -75,8 +75,9 @@ inline Site rich_site(LidarModel lidar = coarse_lidar()) {
 inline Site plain_site() {
   std::vector<Pose2> surveyed;
   for (int x = -10; x < 40; ++x) surveyed.push_back({static_cast<double>(x), 0.0, 0.0});
-  return {{box({-40.0, -2.0, -0.1}, {80.0, 2.0, 0.0}), box({-40.0, 1.5, 0.0}, {80.0, 1.7, 3.0}), box({-40.0, -1.7, 0.0}, {80.0, -1.5, 3.0})},
-          surveyed};
+  return {
+      {box({-40.0, -2.0, -0.1}, {80.0, 2.0, 0.0}), box({-40.0, 1.5, 0.0}, {80.0, 1.7, 3.0}), box({-40.0, -1.7, 0.0}, {80.0, -1.5, 3.0})},
+      surveyed};
 }
 
 // Of a drive around the rich site's block, at 1 m/s and 10 Hz: 4 m ahead, half a turn of 2 m radius, and again.
