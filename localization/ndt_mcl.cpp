@@ -20,7 +20,7 @@ struct Turn {
   double s;
 };
 
-// vᵀ·(A + R·B·Rᵀ)⁻¹·v, A and B symmetric, R the turn: element by element it takes a third of the time that matrices do.
+// vᵀ·(A + R·B·Rᵀ)⁻¹·v, A and B symmetric, R the turn; element by element, for here a scan spends its time.
 double mahalanobis2(const Eigen::Vector3d& v, const Eigen::Matrix3d& A, const Turn& turn, const Eigen::Matrix3d& B) {
   const double cc = turn.c * turn.c, ss = turn.s * turn.s, cs = turn.c * turn.s;
   const double xx = A(0, 0) + cc * B(0, 0) - 2.0 * cs * B(0, 1) + ss * B(1, 1);
