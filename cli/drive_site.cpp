@@ -34,6 +34,7 @@ DriveOptions drive_options(const ProblemFile& problem, const std::filesystem::pa
   if (!options.localizers.empty()) drive.localizers = localizers_of(options.localizers);
   drive.odometry.scale_bias = options.scale_bias.value_or(drive.odometry.scale_bias);
   drive.range_max = problem.range_max;
+  drive.floor = options.floor;
   return drive;
 }
 
@@ -42,7 +43,8 @@ std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, 
                                        const LidarModel& lidar, const DriveOptions& drive, const DriveSiteOptions& options,
                                        std::stop_token stop) {
   ProgressBar bar("localizer's map");
-  const SurveyOptions survey_options{.range_max = drive.range_max, .floor = drive.floor, .threads = options.threads, .progress = bar.callback(), .stop = stop};
+  const SurveyOptions survey_options{
+      .range_max = drive.range_max, .floor = drive.floor, .threads = options.threads, .progress = bar.callback(), .stop = stop};
   if (options.moved == 0.0) return survey(scene, occupancy, lidar, survey_options);
   MovedObjects site = with_moved_objects(meshes, options.moved, options.seed);
   std::cerr << site.moved << " of " << site.movable << " loose objects moved in the localizer's map\n";
@@ -62,6 +64,7 @@ void add_drive_options(CLI::App& command, DriveSiteOptions& options) {
       .add_option("--moved", options.moved, "Share of the loose objects (up to 1.6 x 1.6 x 2.2 m) that the localizer's map has elsewhere")
       ->check(CLI::Range(0.0, 1.0));
   command.add_option("--drive-seed", options.seed, "Seed of the first run's errors and of what moved")->capture_default_str();
+  command.add_option("--floor", options.floor, "Height of base_link in map [m]")->capture_default_str();
   command.add_option("--threads", options.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_world_options(command, options.reading);
 }

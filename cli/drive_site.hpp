@@ -22,6 +22,7 @@ struct DriveSiteOptions {
   std::optional<double> noise;                ///< of ranges [m], in place of the sensor's
   double moved = 0.0;                         ///< share of the loose things that the localizer's map has elsewhere
   std::uint64_t seed = 1;                     ///< of the first run
+  double floor = 0.0;                         ///< z of base_link in map [m]
   int threads = 0;
   WorldOptions reading;
 };

@@ -37,7 +37,7 @@ struct LocalizerOptions {
 
 /// The map that localizers hold, as each of them reads it.
 struct LocalizationMap {
-  /// Of a cloud in `map`, for these localizers. Throws std::invalid_argument for options out of range.
+  /// Of a cloud in `map`, z from the floor, for these localizers. Throws std::invalid_argument for options out of range.
   LocalizationMap(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options, std::span<const Localizer> localizers);
 
   std::shared_ptr<const Ndt> ndt;          ///< nullptr where none of them needs it

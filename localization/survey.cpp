@@ -69,6 +69,11 @@ std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& oc
   return poses;
 }
 
+Eigen::Isometry3f above_floor(Eigen::Isometry3d T_map_lidar, double floor) {
+  T_map_lidar.translation().z() -= floor;
+  return T_map_lidar.cast<float>();
+}
+
 }  // namespace
 
 std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
@@ -88,7 +93,7 @@ std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occu
       scans[i] = simulate_scan(scene, lidar, poses[begin + i], {.range_max = options.range_max});
     };
     arena.execute([&] { tbb::parallel_for(std::size_t{0}, scans.size(), scan_one, context); });
-    for (std::size_t i = 0; i < scans.size(); ++i) cloud.add(scans[i].points, poses[begin + i].cast<float>());
+    for (std::size_t i = 0; i < scans.size(); ++i) cloud.add(scans[i].points, above_floor(poses[begin + i], options.floor));
     if (options.progress) options.progress({begin + scans.size(), poses.size()});
   }
   return cloud.points();

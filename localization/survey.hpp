@@ -23,7 +23,8 @@ struct SurveyOptions {
   std::stop_token stop = {};
 };
 
-/// The cloud that scans without noise make of a site, taken at the free places of a lattice: its surfaces as a robot sees them, in `map`,
+/// The cloud that scans without noise make of a site, taken at the free places of a lattice: its surfaces as a robot sees them, in `map`
+/// but for z, which counts from the floor,
 /// and not the far sides of walls, which would blur the cells that they share with the near ones. The same cloud for any number of threads.
 /// Throws std::invalid_argument for options out of range, and Interrupted.
 std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
