@@ -21,11 +21,50 @@ constexpr double kBarHeight = 7.0;
 
 double on_pixel(double position) { return std::floor(position) + 0.5; }
 
+Span span_along_x(const View& view) { return {view.lower.x(), view.upper().x()}; }
+Span span_along_y(const View& view) { return {view.lower.y(), view.upper().y()}; }
+
+// The 1, 2 or 5 times a power of ten that is next at or below a number > 0.
+double round_down(double largest) {
+  const double power = std::pow(10.0, std::floor(std::log10(largest) + 1e-9));
+  for (const double factor : {5.0, 2.0}) {
+    if (factor * power <= largest * (1.0 + 1e-9)) return factor * power;
+  }
+  return power;
+}
+
+// A small whole number times a power of ten, the nearest double to it.
+double times_power(double factor, int power) { return power < 0 ? factor / std::pow(10.0, -power) : factor * std::pow(10.0, power); }
+
+Ticks logarithmic_ticks(const Span& span, double pixels, double least_gap) {
+  const double decade = pixels / (std::log10(span.to) - std::log10(span.from));
+  const bool fine = decade * std::log10(2.0) >= least_gap;
+  const int stride = fine ? 1 : std::max(1, static_cast<int>(std::ceil(least_gap / decade)));
+  Ticks ticks{.values = {}, .decimals = std::nullopt};
+  const auto first = static_cast<int>(std::floor(std::log10(span.from)));
+  for (int power = first; power <= std::log10(span.to) + 1e-9; ++power) {
+    for (const double factor : {1.0, 2.0, 5.0}) {
+      const double value = times_power(factor, power);
+      const bool within = value >= span.from * (1.0 - 1e-9) && value <= span.to * (1.0 + 1e-9);
+      const bool wanted = fine || (factor == 1.0 && power % stride == 0);
+      if (within && wanted) ticks.values.push_back(value);
+    }
+  }
+  return ticks;
+}
+
 }  // namespace
+
+double Span::share(double value) const {
+  if (scale == AxisScale::linear) return (value - from) / (to - from);
+  return value <= 0.0 ? 0.0 : (std::log(value) - std::log(from)) / (std::log(to) - std::log(from));
+}
+
+std::string Ticks::label(double value) const { return decimals ? fixed_text(value, *decimals) : to_text(value); }
 
 double Ticks::widest_label() const {
   double widest = 0.0;
-  for (const double value : values) widest = std::max(widest, text_width(fixed_text(value, decimals), kTickSize, Weight::normal));
+  for (const double value : values) widest = std::max(widest, text_width(label(value), kTickSize, Weight::normal));
   return widest;
 }
 
@@ -38,7 +77,15 @@ double round_step(double least) {
   return 10.0 * power;
 }
 
-Ticks ticks_within(double lower, double upper, double pixels, double spacing) {
+Span round_span(double least, double largest) {
+  const double from = round_down(least);
+  const double to = round_step(largest);
+  return {from, to > from ? to : round_step(1.5 * from), AxisScale::logarithmic};
+}
+
+Ticks ticks_within(const Span& span, double pixels, double spacing) {
+  if (span.scale == AxisScale::logarithmic) return logarithmic_ticks(span, pixels, 0.5 * spacing);
+  const auto& [lower, upper, scale] = span;
   const double step = round_step((upper - lower) * spacing / pixels);
   const double slack = 1e-6;
   Ticks ticks;
@@ -49,37 +96,35 @@ Ticks ticks_within(double lower, double upper, double pixels, double spacing) {
   return ticks;
 }
 
-Ticks ticks_along_x(const View& view) { return ticks_within(view.lower.x(), view.upper().x(), view.frame.width, kSpacingAlongX); }
-Ticks ticks_along_y(const View& view) { return ticks_within(view.lower.y(), view.upper().y(), view.frame.height, kSpacingAlongY); }
+Ticks ticks_along_x(const View& view) { return ticks_within(span_along_x(view), view.frame.width, kSpacingAlongX); }
+Ticks ticks_along_y(const View& view) { return ticks_within(span_along_y(view), view.frame.height, kSpacingAlongY); }
 
 double left_of_frame(const Ticks& ticks) {
   const double labels = std::max(ticks.widest_label(), text_width("0.0", kTickSize, Weight::normal));
   return kTickLength + kTickGap + labels + kNameGap + capital_height(kLabelSize);
 }
 
-void draw_x_ticks(const Context& context, const Ticks& ticks, const Rectangle& frame, double lower, double upper) {
+void draw_x_ticks(const Context& context, const Ticks& ticks, const Rectangle& frame, const Span& span) {
   for (const double value : ticks.values) {
-    const double x = frame.left + (value - lower) / (upper - lower) * frame.width;
+    const double x = frame.left + span.share(value) * frame.width;
     set_colour(context, kInk);
     context->set_line_width(1.0);
     context->move_to(on_pixel(x), frame.bottom());
     context->line_to(on_pixel(x), frame.bottom() + kTickLength);
     context->stroke();
-    draw_text(context, fixed_text(value, ticks.decimals), {x, frame.bottom() + kTickLength + kTickGap},
-              {.size = kTickSize, .anchor = {0.5, 0.0}});
+    draw_text(context, ticks.label(value), {x, frame.bottom() + kTickLength + kTickGap}, {.size = kTickSize, .anchor = {0.5, 0.0}});
   }
 }
 
-void draw_y_ticks(const Context& context, const Ticks& ticks, const Rectangle& frame, double lower, double upper) {
+void draw_y_ticks(const Context& context, const Ticks& ticks, const Rectangle& frame, const Span& span) {
   for (const double value : ticks.values) {
-    const double y = frame.bottom() - (value - lower) / (upper - lower) * frame.height;
+    const double y = frame.bottom() - span.share(value) * frame.height;
     set_colour(context, kInk);
     context->set_line_width(1.0);
     context->move_to(frame.left - kTickLength, on_pixel(y));
     context->line_to(frame.left, on_pixel(y));
     context->stroke();
-    draw_text(context, fixed_text(value, ticks.decimals), {frame.left - kTickLength - kTickGap, y},
-              {.size = kTickSize, .anchor = {1.0, 0.5}});
+    draw_text(context, ticks.label(value), {frame.left - kTickLength - kTickGap, y}, {.size = kTickSize, .anchor = {1.0, 0.5}});
   }
 }
 
@@ -96,8 +141,8 @@ void draw_axes(const Context& context, const View& view, const AxisNames& names)
   const Ticks along_x = ticks_along_x(view);
   const Ticks along_y = ticks_along_y(view);
   outline_rectangle(context, view.frame, kInk);
-  draw_x_ticks(context, along_x, view.frame, view.lower.x(), view.upper().x());
-  draw_y_ticks(context, along_y, view.frame, view.lower.y(), view.upper().y());
+  draw_x_ticks(context, along_x, view.frame, span_along_x(view));
+  draw_y_ticks(context, along_y, view.frame, span_along_y(view));
   draw_x_name(context, names.x, view.frame);
   draw_y_name(context, names.y, view.frame, along_y.widest_label());
 }

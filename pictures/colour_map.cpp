@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <span>
 
 namespace alignability::detail {
 namespace {
@@ -13,6 +14,12 @@ constexpr std::array kRedYellowBlue = {
     colour_from_hex(0xa50026), colour_from_hex(0xd73027), colour_from_hex(0xf46d43), colour_from_hex(0xfdae61),
     colour_from_hex(0xfee090), colour_from_hex(0xffffbf), colour_from_hex(0xe0f3f8), colour_from_hex(0xabd9e9),
     colour_from_hex(0x74add1), colour_from_hex(0x4575b4), colour_from_hex(0x313695),
+};
+
+// Every tenth of matplotlib's magma but the darkest two, from light to dark: even steps of CIE lightness.
+constexpr std::array kMagma = {
+    colour_from_hex(0xfcfdbf), colour_from_hex(0xfecf92), colour_from_hex(0xfe9f6d), colour_from_hex(0xf7705c), colour_from_hex(0xde4968),
+    colour_from_hex(0xb73779), colour_from_hex(0x8c2981), colour_from_hex(0x641a80), colour_from_hex(0x3b0f70),
 };
 
 // Neighbours in the list are far apart in hue, lightness or both.
@@ -25,6 +32,13 @@ constexpr std::array<Colour, kCategories> kCategoryColours = {
 // How far the pale tone is on the way to white.
 constexpr double kPaleness = 0.52;
 
+// Along the colours, 0 the first and 1 the last.
+Colour interpolated(std::span<const Colour> colours, double share) {
+  const double at = std::clamp(share, 0.0, 1.0) * static_cast<double>(colours.size() - 1);
+  const std::size_t low = std::min(static_cast<std::size_t>(at), colours.size() - 2);
+  return mixed(colours[low], colours[low + 1], at - static_cast<double>(low));
+}
+
 double linear(double part) { return part <= 0.04045 ? part / 12.92 : std::pow((part + 0.055) / 1.055, 2.4); }
 
 }  // namespace
@@ -34,11 +48,15 @@ Colour mixed(const Colour& from, const Colour& to, double share) {
 }
 
 Colour alignability_colour(double alpha, Tone tone) {
-  const double at = std::clamp(alpha, 0.0, 1.0) * (kRedYellowBlue.size() - 1);
-  const std::size_t low = std::min(static_cast<std::size_t>(at), kRedYellowBlue.size() - 2);
-  const Colour colour = mixed(kRedYellowBlue[low], kRedYellowBlue[low + 1], at - static_cast<double>(low));
+  const Colour colour = interpolated(kRedYellowBlue, alpha);
   return tone == Tone::full ? colour : mixed(colour, kWhite, kPaleness);
 }
+
+ColourScale alignability_scale(Tone tone) {
+  return [tone](double alpha) { return alignability_colour(alpha, tone); };
+}
+
+Colour error_colour(double share) { return interpolated(kMagma, share); }
 
 Colour wall_colour(Tone tone) { return tone == Tone::full ? colour_from_hex(0x141414) : colour_from_hex(0x585858); }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <functional>
 
 #include "pictures/colour.hpp"
 
@@ -12,9 +13,17 @@ enum class Tone {
   pale,  ///< for a ground that something is drawn on
 };
 
+/// What colour a value is drawn in; never asked about NaN.
+using ColourScale = std::function<Colour(double)>;
+
 /// α in [0,1] from red over pale yellow to blue, values beyond as the nearer end. Luminance falls from the middle to both ends, and red
 /// against blue is told apart in every common colour blindness.
 Colour alignability_colour(double alpha, Tone tone);
+ColourScale alignability_scale(Tone tone);
+
+/// The share in [0,1] of an error in the largest that is shown, from pale yellow over red to dark violet, shares beyond as the nearer end.
+/// Lightness falls evenly.
+Colour error_colour(double share);
 
 /// Near black, and a dark grey that a black path shows on.
 Colour wall_colour(Tone tone);

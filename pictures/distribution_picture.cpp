@@ -33,14 +33,6 @@ Span span_of(const DistributionPanel& panel) {
   return {least, least + 1.05 * extent};
 }
 
-void stroke_in(const Context& context, const DistributionCurve& curve) {
-  set_colour(context, curve.colour);
-  context->set_line_width(2.5);
-  if (curve.style == LineStyle::dashed) context->set_dash(std::vector<double>{10.0, 5.0}, 0.0);
-  context->stroke();
-  context->unset_dash();
-}
-
 // A step up at each value.
 void draw_curve(const Context& context, const Chart& chart, const DistributionCurve& curve) {
   std::vector<double> ascending = curve.values;
@@ -58,7 +50,7 @@ void draw_curve(const Context& context, const Chart& chart, const DistributionCu
     line_to(ascending[i], share);
   }
   line_to(chart.x.to, share);
-  stroke_in(context, curve);
+  stroke_curve(context, curve.colour, curve.style);
 }
 
 // In the lower right corner, where a cumulative curve never is for long.
@@ -70,7 +62,7 @@ void draw_key(const Context& context, const Chart& chart, const std::vector<Dist
     context->begin_new_path();
     context->move_to(right - kKeyLine, y);
     context->line_to(right, y);
-    stroke_in(context, curve);
+    stroke_curve(context, curve.colour, curve.style);
     draw_rimmed_text(context, curve.label, {right - kKeyLine - 12.0, y}, {.anchor = {1.0, 0.5}});
     y -= kKeyPitch;
   }

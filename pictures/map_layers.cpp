@@ -108,13 +108,13 @@ void draw_not_evaluated(const Context& context, const View& view, const GridGeom
   fill_rectangle(context, view.to_pixels({geometry.origin, geometry.upper_corner()}), kNotEvaluated);
 }
 
-void draw_alignability(const Context& context, const View& view, const Grid<float>& alpha, Tone tone) {
-  const PixelCells cells = cells_by_pixel(view, alpha.geometry());
+void draw_values(const Context& context, const View& view, const Grid<float>& values, const ColourScale& colour_of) {
+  const PixelCells cells = cells_by_pixel(view, values.geometry());
   Raster<std::uint32_t> raster(view, Cairo::Surface::Format::ARGB32);
   for (std::size_t row = 0; row < cells.rows.size(); ++row) {
     for (std::size_t column = 0; column < cells.columns.size(); ++column) {
-      const float value = mean_of_known(alpha, cells.columns[column], cells.rows[row]);
-      if (!std::isnan(value)) raster.set(column, row, opaque_pixel(alignability_colour(value, tone)));
+      const float value = mean_of_known(values, cells.columns[column], cells.rows[row]);
+      if (!std::isnan(value)) raster.set(column, row, opaque_pixel(colour_of(value)));
     }
   }
   context->set_source(raster.finished(), view.frame.left, view.frame.top);
@@ -142,10 +142,11 @@ void draw_occupancy(const Context& context, const View& view, const OccupancyMap
   context->mask(walls.finished(), view.frame.left, view.frame.top);
 }
 
-void draw_map(const Context& context, const View& view, const AlignabilityMap& map, const OccupancyMap& occupancy, Tone tone) {
+void draw_map(const Context& context, const View& view, const Grid<float>& values, const ColourScale& colour_of,
+              const OccupancyMap& occupancy, Tone tone) {
   draw_not_evaluated(context, view, occupancy.geometry());
-  draw_not_evaluated(context, view, map.geometry);
-  draw_alignability(context, view, map.alpha(), tone);
+  draw_not_evaluated(context, view, values.geometry());
+  draw_values(context, view, values, colour_of);
   draw_occupancy(context, view, occupancy, tone);
 }
 

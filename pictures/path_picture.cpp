@@ -50,7 +50,7 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
   const std::vector<DrawnPath> keyed = chosen(paths, [](const DrawnPath& path) { return !path.label.empty(); });
   const std::vector<DrawnPath> in_panel = chosen(keyed, [](const DrawnPath& path) { return !path.poses.empty(); });
   const std::size_t key_lines = paths.empty() ? 0 : keyed.size() + 1;
-  const MapLayout layout = lay_out(view_of(map, occupancy), options.title, key_lines);
+  const MapLayout layout = lay_out(view_of(map.geometry, occupancy), options.title, key_lines);
   const Rectangle& frame = layout.view.frame;
   const Rectangle panel{frame.left, layout.bottom + kPanelGap, frame.width, profile_height(in_panel.size())};
   const double bottom = in_panel.empty() ? layout.bottom : panel.bottom() + kBelowFrame;
@@ -59,12 +59,12 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
 
   draw_title(context, layout, options.title);
   if (!paths.empty()) draw_key(context, layout, keyed, options);
-  draw_map(context, layout.view, map, occupancy, Tone::pale);
+  draw_map(context, layout.view, map.alpha(), alignability_scale(Tone::pale), occupancy, Tone::pale);
   draw_path_layer(context, layout.view, paths, options);
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
-  draw_map_legend(context, layout.legend, options.risk, Tone::pale);
-  if (!in_panel.empty()) draw_profiles(context, panel, in_panel, options.risk);
+  draw_map_legend(context, layout.legend, alignability_legend(options.risk, Tone::pale));
+  if (!in_panel.empty()) draw_profiles(context, panel, in_panel, longest_profile(in_panel), options.risk);
   page.save(png);
 }
 

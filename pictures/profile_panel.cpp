@@ -3,11 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <string>
+#include <vector>
 
-#include "core/range.hpp"
-#include "pictures/axes.hpp"
 #include "pictures/blind_stretches.hpp"
+#include "pictures/chart.hpp"
 #include "pictures/colour_map.hpp"
 #include "pictures/text.hpp"
 
@@ -21,24 +20,6 @@ constexpr double kStripsPadding = 8.0;
 constexpr double kNoteGap = 10.0;
 const Colour kBlindGround = mixed(kWhite, kBlind, 0.14);
 
-// Arc length to the right, α upwards.
-struct Panel {
-  Rectangle curves;
-  double longest = 1.0;  // [m]
-  double highest = 1.0;  // α at the top
-
-  double x(double s) const { return curves.left + s / longest * curves.width; }
-  double y(double alpha) const { return curves.bottom() - alpha / highest * curves.height; }
-};
-
-double longest_of(std::span<const DrawnPath> paths) {
-  double longest = 0.0;
-  for (const DrawnPath& path : paths) {
-    if (!path.profile.empty()) longest = std::max(longest, path.profile.back().s);
-  }
-  return longest > 0.0 ? longest : 1.0;
-}
-
 // A little over the highest curve, and over the safe threshold.
 double highest_of(std::span<const DrawnPath> paths, const RiskOptions& risk) {
   double highest = risk.alpha_safe;
@@ -50,49 +31,22 @@ double highest_of(std::span<const DrawnPath> paths, const RiskOptions& risk) {
   return std::min(1.0, std::ceil(1.05 * highest * 10.0) / 10.0);
 }
 
-void draw_threshold(const Context& context, const Panel& panel, double alpha, const std::string& name) {
-  const double y = std::floor(panel.y(alpha)) + 0.5;
-  set_colour(context, kFaintInk);
-  context->set_line_width(1.0);
-  context->set_dash(std::vector<double>{4.0, 4.0}, 0.0);
-  context->move_to(panel.curves.left, y);
-  context->line_to(panel.curves.right(), y);
-  context->stroke();
-  context->unset_dash();
-  draw_text(context, name + " " + to_text(alpha), {panel.curves.right() + kNoteGap, y},
-            {.size = kNoteSize, .colour = kFaintInk, .anchor = {0.0, 0.5}});
-}
-
-void trace_curve(const Context& context, const Panel& panel, const DrawnPath& path) {
-  context->begin_new_path();
-  bool unknown = true;
-  for (const ProfilePoint& point : path.profile) {
-    if (!std::isnan(point.alpha)) {
-      unknown ? context->move_to(panel.x(point.s), panel.y(point.alpha)) : context->line_to(panel.x(point.s), panel.y(point.alpha));
-    }
-    unknown = std::isnan(point.alpha);
-  }
-}
-
-void draw_curve(const Context& context, const Panel& panel, const DrawnPath& path) {
-  context->set_line_join(Cairo::Context::LineJoin::ROUND);
-  trace_curve(context, panel, path);
-  set_colour(context, path.colour);
-  context->set_line_width(2.5);
-  if (path.style == LineStyle::dashed) context->set_dash(std::vector<double>{10.0, 5.0}, 0.0);
-  context->stroke();
-  context->unset_dash();
+void draw_alpha(const Context& context, const Chart& chart, const DrawnPath& path) {
+  std::vector<Eigen::Vector2d> points;
+  for (const ProfilePoint& point : path.profile) points.emplace_back(point.s, point.alpha);
+  draw_curve(context, chart, points, path.colour, path.style);
 }
 
 // Where the path is not blind, a thin line in its colour.
-void draw_strip(const Context& context, const Panel& panel, double top, const DrawnPath& path, const RiskOptions& risk) {
+void draw_strip(const Context& context, const Chart& chart, double top, const DrawnPath& path, const RiskOptions& risk) {
   if (path.profile.empty()) return;
+  const auto x_of = [&](double s) { return chart.at(s, 0.0).x(); };
   const double middle = std::round(top + 0.5 * kStripHeight);
-  fill_rectangle(context, {panel.curves.left, middle - 1.5, panel.x(path.profile.back().s) - panel.curves.left, 3.0}, path.colour);
+  fill_rectangle(context, {chart.frame.left, middle - 1.5, x_of(path.profile.back().s) - chart.frame.left, 3.0}, path.colour);
   for (const Stretch& stretch : blind_stretches(path.profile, risk)) {
-    const double left = panel.x(stretch.from);
-    fill_rectangle(context, {left, top, panel.x(stretch.to) - left, kStripHeight}, kBlind);
-    fill_rectangle(context, {left, middle - 1.5, panel.x(stretch.to) - left, 3.0}, path.colour);
+    const double left = x_of(stretch.from);
+    fill_rectangle(context, {left, top, x_of(stretch.to) - left, kStripHeight}, kBlind);
+    fill_rectangle(context, {left, middle - 1.5, x_of(stretch.to) - left, 3.0}, path.colour);
   }
 }
 
@@ -100,32 +54,39 @@ void draw_strip(const Context& context, const Panel& panel, double top, const Dr
 
 double profile_height(std::size_t paths) { return kCurvesHeight + 2.0 * kStripsPadding + kStripPitch * static_cast<double>(paths); }
 
-void draw_profiles(const Context& context, const Rectangle& area, std::span<const DrawnPath> paths, const RiskOptions& risk) {
-  const Panel panel{{area.left, area.top, area.width, kCurvesHeight}, longest_of(paths), highest_of(paths, risk)};
-  const double critical = panel.y(risk.alpha_critical);
-  fill_rectangle(context, {area.left, critical, area.width, panel.curves.bottom() - critical}, kBlindGround);
-  draw_threshold(context, panel, risk.alpha_critical, "critical");
-  draw_threshold(context, panel, risk.alpha_safe, "safe");
+double longest_profile(std::span<const DrawnPath> paths) {
+  double longest = 0.0;
+  for (const DrawnPath& path : paths) {
+    if (!path.profile.empty()) longest = std::max(longest, path.profile.back().s);
+  }
+  return longest;
+}
+
+void draw_profiles(const Context& context, const Rectangle& area, std::span<const DrawnPath> paths, double longest,
+                   const RiskOptions& risk) {
+  const Chart chart{{area.left, area.top, area.width, kCurvesHeight}, {0.0, longest > 0.0 ? longest : 1.0}, {0.0, highest_of(paths, risk)}};
+  const double critical = chart.at(0.0, risk.alpha_critical).y();
+  fill_rectangle(context, {area.left, critical, area.width, chart.frame.bottom() - critical}, kBlindGround);
+  draw_thresholds_of_y(context, chart, std::vector<Threshold>{{risk.alpha_critical, "critical"}, {risk.alpha_safe, "safe"}});
   for (const LineStyle style : {LineStyle::solid, LineStyle::dashed}) {
     for (const DrawnPath& path : paths) {
-      if (path.style == style) draw_curve(context, panel, path);
+      if (path.style == style) draw_alpha(context, chart, path);
     }
   }
 
-  const double first = panel.curves.bottom() + kStripsPadding + 0.5 * (kStripPitch - kStripHeight);
+  const double first = chart.frame.bottom() + kStripsPadding + 0.5 * (kStripPitch - kStripHeight);
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    draw_strip(context, panel, std::round(first + kStripPitch * static_cast<double>(i)), paths[i], risk);
+    draw_strip(context, chart, std::round(first + kStripPitch * static_cast<double>(i)), paths[i], risk);
   }
-  draw_text(context, "blind stretches", {area.right() + kNoteGap, 0.5 * (panel.curves.bottom() + area.bottom())},
-            {.size = kNoteSize, .colour = kFaintInk, .anchor = {0.0, 0.5}});
+  draw_note(context, "blind stretches", {area.right() + kNoteGap, 0.5 * (chart.frame.bottom() + area.bottom())}, {0.0, 0.5});
 
   outline_rectangle(context, area, kInk);
-  outline_rectangle(context, panel.curves, kInk);
-  const Ticks along_y = ticks_within(0.0, panel.highest, panel.curves.height, 50.0);
-  draw_x_ticks(context, ticks_within(0.0, panel.longest, area.width, 110.0), area, 0.0, panel.longest);
-  draw_y_ticks(context, along_y, panel.curves, 0.0, panel.highest);
+  outline_rectangle(context, chart.frame, kInk);
+  const Ticks along_y = ticks_within(chart.y, chart.frame.height, 50.0);
+  draw_x_ticks(context, ticks_within(chart.x, area.width, 110.0), area, chart.x);
+  draw_y_ticks(context, along_y, chart.frame, chart.y);
   draw_x_name(context, "distance along the path [m]", area);
-  draw_y_name(context, "alignability α", panel.curves, along_y.widest_label());
+  draw_y_name(context, "alignability α", chart.frame, along_y.widest_label());
 }
 
 }  // namespace alignability::detail

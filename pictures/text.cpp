@@ -43,6 +43,10 @@ void draw_text(const Context& context, const std::string& text, const Eigen::Vec
   context->begin_new_path();
 }
 
+void draw_note(const Context& context, const std::string& text, const Eigen::Vector2d& at, const Eigen::Vector2d& anchor) {
+  draw_text(context, text, at, {.size = kNoteSize, .colour = kFaintInk, .anchor = anchor});
+}
+
 void draw_rimmed_text(const Context& context, const std::string& text, const Eigen::Vector2d& at, const TextStyle& style) {
   move_to_begin(context, text, at, style);
   context->text_path(text);

@@ -27,6 +27,8 @@ struct TextStyle {
 };
 
 void draw_text(const Context& context, const std::string& text, const Eigen::Vector2d& at, const TextStyle& style);
+/// Small and faint: what a line or a strip at `at` is.
+void draw_note(const Context& context, const std::string& text, const Eigen::Vector2d& at, const Eigen::Vector2d& anchor);
 /// With a rim of white, to be read on any ground.
 void draw_rimmed_text(const Context& context, const std::string& text, const Eigen::Vector2d& at, const TextStyle& style);
 /// Reading upwards; the anchor is still the text's own.

@@ -44,11 +44,11 @@ View view_of(const WorldBox& box, double scale) {
   return {{0.0, 0.0, size.x(), size.y()}, scale, box.lower - margin / scale};
 }
 
-View view_of(const AlignabilityMap& map, const OccupancyMap& occupancy) {
-  const WorldBox box = box_around(map.geometry, occupancy.geometry());
-  const double side = std::max(box.extent().maxCoeff(), map.geometry.resolution);
-  const double cell = occupancy.geometry().size() == 0 ? map.geometry.resolution : occupancy.geometry().resolution;
-  return view_of(box, whole_pixels(std::min(kLongSide / side, kLargestCell / map.geometry.resolution), cell));
+View view_of(const GridGeometry& cells, const OccupancyMap& occupancy) {
+  const WorldBox box = box_around(cells, occupancy.geometry());
+  const double side = std::max(box.extent().maxCoeff(), cells.resolution);
+  const double cell = occupancy.geometry().size() == 0 ? cells.resolution : occupancy.geometry().resolution;
+  return view_of(box, whole_pixels(std::min(kLongSide / side, kLargestCell / cells.resolution), cell));
 }
 
 }  // namespace alignability::detail

@@ -3,7 +3,7 @@
 
 #include <Eigen/Core>
 
-#include "costmap/alignability_map.hpp"
+#include "costmap/grid.hpp"
 #include "costmap/occupancy_map.hpp"
 #include "pictures/page.hpp"
 
@@ -32,9 +32,9 @@ struct View {
 /// The view of a box at `scale`, with a margin around where the frame would be too small to read. The frame's corner is (0, 0).
 View view_of(const WorldBox& box, double scale);
 
-/// The view of both maps' extent. Its longer side is about 1400 px, an occupancy cell a whole number of pixels where it has any, and
-/// no α-cell larger than 120 px.
-View view_of(const AlignabilityMap& map, const OccupancyMap& occupancy);
+/// The view of both a map's cells and its occupancy. Its longer side is about 1400 px, an occupancy cell a whole number of pixels where
+/// it has any, and no cell larger than 120 px.
+View view_of(const GridGeometry& cells, const OccupancyMap& occupancy);
 
 inline constexpr double kLongSide = 1400.0;
 

@@ -24,7 +24,7 @@ class AlignabilityPicture : public ::testing::Test {
  protected:
   Picture drawn(const AlignabilityMap& map, const OccupancyMap& occupancy, const MapPictureOptions& options = {}) {
     draw_alignability_map(map, occupancy, options, folder_ / "map.png");
-    view_ = detail::lay_out(detail::view_of(map, occupancy), options.title, 0).view;
+    view_ = detail::lay_out(detail::view_of(map.geometry, occupancy), options.title, 0).view;
     return Picture(folder_ / "map.png");
   }
   Colour colour_at(const Picture& picture, const Eigen::Vector2d& point) const { return picture.at(view_.to_pixel(point)); }

@@ -3,6 +3,9 @@
 
 #include <gmock/gmock.h>
 
+#include <cmath>
+#include <limits>
+
 #include "pictures/path_picture.hpp"
 #include "tests/pictures/read_png.hpp"
 
@@ -55,6 +58,23 @@ TEST(ColourMap, PathsContrastWithEveryPaleColour) {
       EXPECT_GT((ground + 0.05) / (luminance(path) + 0.05), 1.4) << "at " << alpha_of(i);
     }
   }
+}
+
+// CIE L*, of 100.
+double lightness(const Colour& colour) { return 116.0 * std::cbrt(luminance(colour)) - 16.0; }
+
+TEST(ColourMap, TheLightnessOfErrorsFallsEvenly) {
+  const double whole = lightness(error_colour(0.0)) - lightness(error_colour(1.0));
+  EXPECT_GT(whole, 70.0);
+  for (int i = 0; i < 8; ++i) {
+    const double step = lightness(error_colour(i / 8.0)) - lightness(error_colour((i + 1) / 8.0));
+    EXPECT_NEAR(step, whole / 8.0, 0.2 * whole / 8.0) << "at " << i / 8.0;
+  }
+}
+
+TEST(ColourMap, ErrorsBeyondTheEndsHaveTheNearerEnd) {
+  EXPECT_EQ(error_colour(-1.0), error_colour(0.0));
+  EXPECT_EQ(error_colour(std::numeric_limits<double>::infinity()), error_colour(1.0));
 }
 
 TEST(ColourMap, CategoriesAreDistinct) {

@@ -29,7 +29,7 @@ class PathPicture : public ::testing::Test {
  protected:
   Picture drawn(std::span<const DrawnPath> paths, const PathPictureOptions& options = {}) {
     draw_paths(map_, occupancy_, paths, options, folder_ / "paths.png");
-    view_ = detail::lay_out(detail::view_of(map_, occupancy_), options.title, paths.empty() ? 0 : paths.size() + 1).view;
+    view_ = detail::lay_out(detail::view_of(map_.geometry, occupancy_), options.title, paths.empty() ? 0 : paths.size() + 1).view;
     return Picture(folder_ / "paths.png");
   }
   Eigen::Vector2d pixel(double x, double y) const { return view_.to_pixel({x, y}); }
