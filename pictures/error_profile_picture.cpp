@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 
 #include "pictures/chart.hpp"
 #include "pictures/map_layout.hpp"
@@ -65,7 +64,7 @@ void fill_band(const Context& context, const Chart& chart, std::span<const Error
     context->line_to(at.x(), at.y());
   };
   for (const ErrorPoint& point : run) line_to(point.s, point.mean);
-  for (const ErrorPoint& point : run | std::views::reverse) line_to(point.s, point.p95);
+  for (std::size_t i = run.size(); i > 0; --i) line_to(run[i - 1].s, run[i - 1].p95);
   context->close_path();
   set_colour(context, colour, kBandOpacity);
   context->fill();
