@@ -21,5 +21,6 @@ void add_plan(CLI::App& app, Work& work);
 void add_compare(CLI::App& app, Work& work);
 void add_evaluate(CLI::App& app, Work& work);
 void add_validate(CLI::App& app, Work& work);
+void add_calibrate(CLI::App& app, Work& work);
 
 }  // namespace alignability::cli

@@ -131,22 +131,25 @@ Json plan_json(const PlanResult& result) {
   const auto figure = [&](double value) { return solved ? number(value) : Json(nullptr); };
   Json path = Json::array();
   for (const Pose2& at : result.path) path.push_back(pose(at));
-  return {{"status", to_string(result.status)},
-          {"planner", result.query.planner.name},
-          {"seed", result.query.planner.seed},
-          {"weight", result.query.weight},
-          {"options", options_json(result.query)},
-          {"cost", figure(result.cost)},
-          {"lower_bound", number(result.lower_bound)},
-          {"length", figure(result.figures.length)},
-          {"risk_integral", figure(result.figures.risk_integral)},
-          {"blind_length", figure(result.figures.blind_length)},
-          {"longest_blind", figure(result.figures.longest_blind)},
-          {"alpha_mean", figure(result.figures.alpha_mean)},
-          {"alpha_min", figure(result.figures.alpha_min)},
-          {"seconds", result.seconds},
-          {"first_solution_seconds", number(result.first_solution_seconds)},
-          {"path", path}};
+  Json json{{"status", to_string(result.status)},
+            {"planner", result.query.planner.name},
+            {"seed", result.query.planner.seed},
+            {"weight", result.query.weight},
+            {"options", options_json(result.query)},
+            {"cost", figure(result.cost)},
+            {"lower_bound", number(result.lower_bound)},
+            {"length", figure(result.figures.length)},
+            {"risk_integral", figure(result.figures.risk_integral)},
+            {"blind_length", figure(result.figures.blind_length)},
+            {"longest_blind", figure(result.figures.longest_blind)},
+            {"alpha_mean", figure(result.figures.alpha_mean)},
+            {"alpha_min", figure(result.figures.alpha_min)},
+            {"seconds", result.seconds},
+            {"first_solution_seconds", number(result.first_solution_seconds)},
+            {"path", path}};
+  if (result.predicted_error) json["predicted_error"] = *result.predicted_error;
+  if (result.smallest_max_error) json["smallest_max_error"] = *result.smallest_max_error;
+  return json;
 }
 
 Json compare_json(const Comparison& comparison) {

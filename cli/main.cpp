@@ -101,6 +101,7 @@ int main(int argc, char** argv) {
   add_compare(app, work);
   add_evaluate(app, work);
   add_validate(app, work);
+  add_calibrate(app, work);
   refuse_what_is_no_number(app);
   try {
     app.parse(argc, argv);

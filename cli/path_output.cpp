@@ -39,6 +39,13 @@ const char* explanation(PlanStatus status) {
   return "";
 }
 
+// Rounded up, so that it will do.
+std::string hundredths_up(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f", std::ceil(100.0 * value) / 100.0);
+  return text;
+}
+
 }  // namespace
 
 void write_path_csv(const PlanResult& result, const RiskField& risk, const std::filesystem::path& csv) {
@@ -75,7 +82,9 @@ PathPictureOptions picture_options(const PlanQuery& query, const std::string& ti
 }
 
 int say_no(const std::filesystem::path& problem_file, const PlanResult& result) {
-  std::cerr << problem_file.string() << ": " << explanation(result.status) << '\n';
+  std::cerr << problem_file.string() << ": " << explanation(result.status);
+  if (result.smallest_max_error) std::cerr << "; one was found with --max-error " << hundredths_up(*result.smallest_max_error);
+  std::cerr << '\n';
   return kNo;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <cstdio>
+#include <iostream>
 
 #include "cli/command.hpp"
 #include "cli/interrupt.hpp"
@@ -9,6 +10,8 @@
 #include "cli/problem_options.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
+#include "localization/drive_file.hpp"
+#include "localization/fit_error_model.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -16,6 +19,7 @@ namespace {
 struct Options {
   ProblemOptions problem;
   bool json = false;
+  std::optional<double> max_error;
   std::optional<std::filesystem::path> output;
 };
 
@@ -29,6 +33,16 @@ void write_files(const PlanProblem& problem, const RiskField& risk, const PlanRe
   write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
 }
 
+// Where the map's error model was fitted for something else than the problem drives.
+void warn_of_mismatches(const ProblemFile& file, const AlignabilityMap& map) {
+  if (!map.error_model || !file.sensor || !file.drive) return;
+  const DriveOptions drive = read_drive_file(*file.drive);
+  const LidarModel lidar = read_lidar_model(*file.sensor);
+  for (const std::string& mismatch : mismatches(map.error_model->calibration, calibration_of(drive, 0, lidar, file.range_max))) {
+    std::cerr << "warning: " << file.alignability.string() << ": the error model was " << mismatch << '\n';
+  }
+}
+
 // Of the certified bound. Where the start is in the goal both are 0.
 double percent_above(const PlanResult& result) {
   const double bound = result.lower_bound.value_or(0.0);
@@ -39,11 +53,15 @@ void print_result(const PlanResult& result) {
   std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
   std::printf("%-20s %9.2f m, at most %.1f %% above the optimum\n", "cost", result.cost, percent_above(result));
   print_figures(result.figures);
+  if (result.predicted_error) std::printf("%-20s %9.2f m, 95 %% of the time\n", "predicted error", *result.predicted_error);
 }
 
 int run(const Options& options) {
   const Interrupt interrupt;
-  const PlanProblem problem = load(options.problem);
+  ProblemFile file = problem_file(options.problem);
+  if (options.max_error) file.query.max_error = options.max_error;
+  const PlanProblem problem = load_problem(file);
+  if (file.query.max_error) warn_of_mismatches(file, problem.alignability);
   const PlanningFields fields(problem);
   const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
   if (result.status == PlanStatus::interrupted) throw Interrupted();
@@ -60,11 +78,17 @@ void add_plan(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plan", "Plan a path on which the robot stays localized");
   add_problem_options(*command, options->problem);
+  command
+      ->add_option(
+          "--max-error", options->max_error,
+          "The error of localization [m] that may be predicted anywhere on the path, 95th percentile; for a map with an error model")
+      ->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
   command->footer(
       "Examples:\n"
       "  alignability plan maps/warehouse/problem.yaml -o route\n"
+      "  alignability plan maps/warehouse/problem.yaml --alignability calibrated.yaml --max-error 0.15\n"
       "  alignability plan maps/warehouse/problem.yaml --planner prmstar --time 10 --weight 2 --json");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include <iostream>
-
 #include "cli/command.hpp"
+#include "cli/drive_paths.hpp"
 #include "cli/drive_site.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output_name.hpp"
 #include "cli/problem_options.hpp"
-#include "cli/progress_bar.hpp"
 #include "cli/validate_output.hpp"
 #include "cli/validate_pictures.hpp"
 #include "core/file.hpp"
-#include "core/input_error.hpp"
 #include "core/range.hpp"
 #include "planner/headings.hpp"
 #include "planner/plan.hpp"
-#include "planner/route_file.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -60,33 +56,13 @@ std::vector<Pose2> tour(const Options& options, const PlanQuery& query, const Pl
   return turning_on_the_spot(looking_ahead(std::move(path), query.start.yaw));
 }
 
-std::vector<DrivenPath> read_paths(const Options& options) {
-  std::vector<DrivenPath> paths;
-  for (const std::filesystem::path& file : options.paths) {
-    Route route = read_route(file, {});
-    for (const std::string& remark : route.remarks) std::cerr << file.string() << ": " << remark << '\n';
-    if (route.path.empty()) throw InputError(file, "this is a graph: drive a path (CSV)");
-    paths.push_back({file.stem().string(), std::move(route.path), {}});
-  }
-  return paths;
-}
-
-void drive_all(std::vector<DrivenPath>& paths, const DriveSite& site, TrialOptions trials) {
-  std::vector<std::vector<Pose2>> ways;
-  for (const DrivenPath& path : paths) ways.push_back(path.path);
-  ProgressBar bar("drives");
-  trials.progress = bar.callback();
-  std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, ways, trials);
-  for (std::size_t i = 0; i < paths.size(); ++i) paths[i].runs = std::move(drives[i]);
-}
-
 int run(const Options& options) {
   const Interrupt interrupt;
   const ProblemFile file = problem_file(options.problem);
   const PlanProblem problem = load_problem(file);
   const PlanningFields fields(problem);
   std::vector<DrivenPath> paths =
-      options.paths.empty() ? std::vector{DrivenPath{"tour", tour(options, problem.query, fields), {}}} : read_paths(options);
+      options.paths.empty() ? std::vector{DrivenPath{"tour", tour(options, problem.query, fields), {}}} : read_paths(options.paths);
   const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());
   TrialOptions trials = site.trials;
   trials.runs = options.runs;

@@ -28,6 +28,40 @@ std::filesystem::path with_suffix(const std::filesystem::path& name, const char*
   return std::filesystem::path(name.string() + suffix);
 }
 
+ErrorModel read_error_model(YamlMap yaml) {
+  ErrorModel model;
+  model.growth = yaml.number("growth", kNotNegative);
+  model.recovery = yaml.number("recovery", kPositive);
+  model.least = yaml.number("least", kNotNegative);
+  model.alpha_poor = yaml.number("alpha_poor", kShare);
+  model.alpha_rich = yaml.number("alpha_rich", kShare);
+  if (model.alpha_poor >= model.alpha_rich) yaml.fail("alpha_poor", "'alpha_poor' must be less than 'alpha_rich'");
+  Calibration& calibration = model.calibration;
+  calibration.localizer = yaml.text("localizer");
+  calibration.sensor = yaml.text("sensor");
+  calibration.noise = yaml.number("noise", kNotNegative);
+  calibration.range_max = yaml.find_number("range_max", kPositive);
+  calibration.scale_bias = yaml.number("odometry_bias", kFinite);
+  yaml.finish();
+  return model;
+}
+
+void emit(YAML::Emitter& out, const ErrorModel& model) {
+  const auto number = [&](const char* key, double value) { out << YAML::Key << key << YAML::Value << to_text(value); };
+  out << YAML::Key << "error_model" << YAML::Value << YAML::BeginMap;
+  number("growth", model.growth);
+  number("recovery", model.recovery);
+  number("least", model.least);
+  number("alpha_poor", model.alpha_poor);
+  number("alpha_rich", model.alpha_rich);
+  out << YAML::Key << "localizer" << YAML::Value << model.calibration.localizer;
+  out << YAML::Key << "sensor" << YAML::Value << model.calibration.sensor;
+  number("noise", model.calibration.noise);
+  if (model.calibration.range_max) number("range_max", *model.calibration.range_max);
+  number("odometry_bias", model.calibration.scale_bias);
+  out << YAML::EndMap;
+}
+
 std::string yaml_text(const AlignabilityMap& map, const std::filesystem::path& image) {
   YAML::Emitter out;
   const auto block = [&out](const char* key, const std::string& text) {
@@ -42,6 +76,7 @@ std::string yaml_text(const AlignabilityMap& map, const std::filesystem::path& i
   out << YAML::Key << "layers" << YAML::Value << YAML::Flow << YAML::BeginSeq;
   for (const AlignabilityMap::Layer& layer : map.layers) out << layer.name;
   out << YAML::EndSeq << YAML::Key << "seed" << YAML::Value << map.seed;
+  if (map.error_model) emit(out, *map.error_model);
   block("options", map.options);
   block("provenance", map.provenance);
   block("sensor", map.sensor);
@@ -95,6 +130,7 @@ AlignabilityMap read_alignability_map(const std::filesystem::path& yaml_file) {
   map.geometry = read_geometry(yaml);
   const auto names = read_layer_names(yaml);
   map.seed = read_seed(yaml);
+  if (const auto model = yaml.find_map("error_model")) map.error_model = read_error_model(*model);
   map.options = yaml.find_text("options").value_or("");
   map.provenance = yaml.find_text("provenance").value_or("");
   map.sensor = yaml.find_text("sensor").value_or("");

@@ -3,10 +3,12 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
+#include "costmap/error_model.hpp"
 #include "costmap/grid.hpp"
 
 namespace alignability {
@@ -21,9 +23,10 @@ struct AlignabilityMap {
   GridGeometry geometry;
   std::vector<Layer> layers;  ///< the first is `alpha`
   std::uint64_t seed = 0;
-  std::string options;     ///< YAML text of the options it was made with
-  std::string sensor;      ///< the sensor file it was made with, verbatim
-  std::string provenance;  ///< YAML text: the files it was made from
+  std::string options;                         ///< YAML text of the options it was made with
+  std::string sensor;                          ///< the sensor file it was made with, verbatim
+  std::string provenance;                      ///< YAML text: the files it was made from
+  std::optional<ErrorModel> error_model = {};  ///< fitted to drives on this map
 
   const Grid<float>& alpha() const { return layers.front().values; }
   /// nullptr when there is no layer of that name.

@@ -18,6 +18,7 @@
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
 #include "planner/headings.hpp"
+#include "planner/limited_plan.hpp"
 #include "planner/path_shortening.hpp"
 #include "planner/planners.hpp"
 #include "planner/poses.hpp"
@@ -197,6 +198,7 @@ PlanningFields::PlanningFields(const PlanProblem& problem) {
   const Stopwatch watch;
   risk = std::make_shared<const RiskField>(problem.alignability, problem.occupancy, problem.query.risk);
   clearance = std::make_shared<const ClearanceMap>(problem.occupancy);
+  error_model = problem.alignability.error_model;
   seconds = watch.seconds();
 }
 
@@ -208,6 +210,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
+  if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
   if (const auto refused = refusal(query, area)) {
     result.status = *refused;
@@ -234,6 +237,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
     result.path = poses_of(*path, query);
     result.cost = path->cost(objective).value();
     result.figures = measure(result.path, *fields.risk);
+    if (fields.error_model) result = within_limit(std::move(result), *fields.error_model, area);
   }
   result.seconds = watch.seconds();
   return result;

@@ -39,6 +39,8 @@ struct PlanResult {
   double cost = 0.0;                  ///< of that path [equivalent m]
   std::optional<double> lower_bound;  ///< certified: no path from the start to the goal costs less; nullopt where none was sought
   PathFigures figures;
+  std::optional<double> predicted_error;         ///< the greatest on the path, 95th percentile [m]; nullopt without an error model
+  std::optional<double> smallest_max_error;      ///< of an infeasible query: the `max_error` with which a path was found
   double seconds = 0.0;                          ///< the fields' construction included
   std::optional<double> first_solution_seconds;  ///< likewise; nullopt without a solution, and of planners that do not tell
 };
@@ -49,12 +51,15 @@ struct PlanningFields {
 
   std::shared_ptr<const RiskField> risk;
   std::shared_ptr<const ClearanceMap> clearance;
+  std::optional<ErrorModel> error_model;
   double seconds = 0.0;  ///< that building them took
 };
 
-/// Plans with OMPL. Seeds OMPL's generators, which the whole process shares: one plan at a time. With `iterations` and a
-/// single-threaded planner, the same problem gives the same path. An interrupted plan has no path.
-/// Throws std::invalid_argument for a query out of range.
+/// Plans with OMPL. Where the path would break the query's `max_error`, a search over places and errors looks for one that keeps it (see
+/// path_within), for the disk around the robot; infeasible where it finds none. Seeds OMPL's generators, which the whole process shares:
+/// one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan has no
+/// path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner than
+/// `field`.
 PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 PlanResult plan(const PlanProblem& problem, const PlanOptions& options);
 

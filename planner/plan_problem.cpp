@@ -60,6 +60,7 @@ GoalTolerance read_goal_tolerance(YamlMap yaml) {
 
 void read_risk(YamlMap yaml, PlanQuery& query) {
   query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
+  query.max_error = yaml.find_number("max_error", kPositive);
   query.risk.alpha_critical = yaml.find_number("alpha_critical", kShare).value_or(query.risk.alpha_critical);
   query.risk.alpha_safe = yaml.find_number("alpha_safe", kShare).value_or(query.risk.alpha_safe);
   query.risk.unknown = yaml.find_choice("unknown", kPolicies).value_or(query.risk.unknown);
@@ -131,7 +132,8 @@ std::string to_yaml(const PlanQuery& query) {
       << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)
       << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"
       << "risk: {weight: " << to_text(query.weight) << ", alpha_critical: " << to_text(query.risk.alpha_critical)
-      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies) << "}\n"
+      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies)
+      << (query.max_error ? ", max_error: " + to_text(*query.max_error) : "") << "}\n"
       << "planner: {name: " << (query.planner.name.empty() ? kDefaultPlanner : query.planner.name);
   if (query.planner.iterations) {
     out << ", iterations: " << *query.planner.iterations;

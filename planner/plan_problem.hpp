@@ -37,6 +37,8 @@ struct PlanQuery {
   Pose2 goal;
   GoalTolerance goal_tolerance;
   double weight = 5.0;  ///< of the risk, >= 0
+  /// The 95th percentile of the localization error that may be predicted anywhere on the path [m], > 0; comparisons pay no heed to it.
+  std::optional<double> max_error = {};
   RiskOptions risk;
   PlannerChoice planner;
 };

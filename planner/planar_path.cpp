@@ -65,39 +65,23 @@ PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
   return {shorter.rbegin(), shorter.rend()};
 }
 
-// Moves a vertex by `step` where that lowers the cost the most; whether it did.
-bool move_vertex(PlanarPath& path, std::size_t i, const PlanarMotion& motion, double step) {
+using PathTest = std::function<bool(const PlanarPath&)>;
+
+// Moves a vertex by `step` where that lowers the cost; whether it did.
+bool move_vertex(PlanarPath& path, std::size_t i, const PlanarMotion& motion, double step, const PathTest& is_accepted) {
   const Eigen::Vector2d along = (path[i + 1] - path[i - 1]).normalized() * step;
   const Eigen::Vector2d across(-along.y(), along.x());
-  double least = motion.cost(path[i - 1], path[i]) + motion.cost(path[i], path[i + 1]);
-  const double enough = 1e-9 * least;
-  bool moved = false;
-  for (const Eigen::Vector2d& to : {PlanarPath::value_type(path[i] + across), PlanarPath::value_type(path[i] - across),
-                                    PlanarPath::value_type(path[i] + along), PlanarPath::value_type(path[i] - along)}) {
+  const Eigen::Vector2d from = path[i];
+  const double before = motion.cost(path[i - 1], from) + motion.cost(from, path[i + 1]);
+  for (const Eigen::Vector2d& by : {across, PlanarPath::value_type(-across), along, PlanarPath::value_type(-along)}) {
+    const Eigen::Vector2d to = from + by;
     const double cost = motion.cost(path[i - 1], to) + motion.cost(to, path[i + 1]);
-    if (cost >= least - enough || !motion.is_allowed(path[i - 1], to) || !motion.is_allowed(to, path[i + 1])) continue;
-    least = cost;
+    if (cost >= before - 1e-9 * before || !motion.is_allowed(path[i - 1], to) || !motion.is_allowed(to, path[i + 1])) continue;
     path[i] = to;
-    moved = true;
-    break;
+    if (is_accepted(path)) return true;
+    path[i] = from;
   }
-  return moved;
-}
-
-// Each vertex moved by steps that halve where none helps.
-void relax(PlanarPath& path, const PlanarMotion& motion, double step) {
-  constexpr int kSweeps = 60;
-  const double finest = 1e-3 * step;
-  std::vector<double> steps(path.size(), step);
-  bool going_on = true;
-  for (int sweep = 0; sweep < kSweeps && going_on; ++sweep) {
-    going_on = false;
-    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
-      if (steps[i] < finest) continue;
-      going_on = true;
-      steps[i] *= move_vertex(path, i, motion, steps[i]) ? 1.5 : 0.5;
-    }
-  }
+  return false;
 }
 
 }  // namespace
@@ -137,10 +121,25 @@ PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {
   // From coarse to fine, each as fine as the curves of the path may need.
   for (const double spacing : {2.0, 1.0, 0.5, 0.25}) {
     path = subdivided(path, spacing);
-    relax(path, motion, 0.25 * spacing);
+    relax(path, motion, 0.25 * spacing, [](const PlanarPath&) { return true; });
     path = with_shortcuts(path, motion);
   }
   return path;
+}
+
+void relax(PlanarPath& path, const PlanarMotion& motion, double step, const PathTest& is_accepted) {
+  constexpr int kSweeps = 60;
+  const double finest = 1e-3 * step;
+  std::vector<double> steps(path.size(), step);  // of each vertex, halved where none helps
+  bool going_on = true;
+  for (int sweep = 0; sweep < kSweeps && going_on; ++sweep) {
+    going_on = false;
+    for (std::size_t i = 1; i + 1 < path.size(); ++i) {
+      if (steps[i] < finest) continue;
+      going_on = true;
+      steps[i] *= move_vertex(path, i, motion, steps[i], is_accepted) ? 1.5 : 0.5;
+    }
+  }
 }
 
 PlanarPath subdivided(const PlanarPath& path, double spacing) {

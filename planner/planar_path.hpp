@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +32,10 @@ std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen:
 /// The path freed of the lattice: shortcuts, then vertices moved and added as long as that lowers the cost by the exact integral. Ends
 /// where it did, is allowed where the path was, never costs more.
 PlanarPath refined(PlanarPath path, const PlanarMotion& motion);
+
+/// Each vertex but the ends moved by steps, from `step` [m] on down to a thousandth of it, as long as that lowers the cost and leaves a
+/// path that `is_accepted`.
+void relax(PlanarPath& path, const PlanarMotion& motion, double step, const std::function<bool(const PlanarPath&)>& is_accepted);
 
 /// The same way with vertices added, so that none is further from the next than `spacing` [m].
 PlanarPath subdivided(const PlanarPath& path, double spacing);

@@ -18,6 +18,7 @@ std::vector<PlanResult> trade_off(const PlanQuery& query, const PlanningFields& 
   std::vector<PlanResult> plans;
   for (const double weight : weights) {
     PlanQuery weighted = query;
+    weighted.max_error.reset();
     weighted.weight = weight;
     plans.push_back(plan(weighted, fields, options));
   }

@@ -292,7 +292,7 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
 }
 
 TEST_F(Cli, EndsHelpWithTwoExamples) {
-  for (const std::string command : {"occupancy", "scan", "score", "explain", "map", "plan", "compare", "evaluate", "validate"}) {
+  for (const std::string command : {"occupancy", "scan", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

@@ -98,6 +98,30 @@ TEST_F(ValidateCli, DrivesThePairsThatDifferMost) {
   EXPECT_EQ(read_json("pairs.json")["each"][0]["drive"][0]["runs"], 1);
 }
 
+TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
+  const test::Outcome outcome = run({"calibrate", "driving.yaml", "path.csv", "--held-out", "path.csv", "--runs", "2", "-o", "calibrated"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("held out"));
+  const Words plan{"plan", "driving.yaml", "--alignability", "calibrated.yaml", "--json"};
+  const auto planned = [&](const std::string& max_error) {
+    Words words = plan;
+    words.insert(words.end(), {"--max-error", max_error});
+    return run(words);
+  };
+  const test::Outcome loose = planned("5");
+  EXPECT_EQ(loose.exit_code, 0) << loose.err;
+  EXPECT_EQ(loose.err, "");
+  const json solved = json::parse(loose.out);
+  EXPECT_GT(solved["predicted_error"], 0.0);
+  const test::Outcome strict = planned("0.00001");
+  EXPECT_EQ(strict.exit_code, 1);
+  EXPECT_THAT(strict.err, HasSubstr("no path keeps the limits"));
+  EXPECT_EQ(json::parse(strict.out)["status"], "infeasible");
+  folder.write("drive.yaml", "odometry: {scale_bias: 0.01}\n");
+  EXPECT_THAT(planned("5").err, HasSubstr("the error model was fitted for an odometry bias of 0.02, used for 0.01"));
+  EXPECT_THAT(run({"plan", "driving.yaml", "--max-error", "1"}).err, HasSubstr("needs an alignability map with an error model"));
+}
+
 TEST_F(ValidateCli, SaysWhatIsMissingOrWrong) {
   const auto fault = [&](const Words& arguments) {
     const test::Outcome outcome = run(arguments);

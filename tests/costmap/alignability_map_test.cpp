@@ -30,6 +30,12 @@ AlignabilityMap small_map() {
   map.options = "samples: 10\no_max: 0.5\n";
   map.sensor = "name: Velodyne HDL-32E\nrange: {min: 0.5, max: 100}   # a comment\n";
   map.provenance = "scene: warehouse.sdf\n";
+  map.error_model = {.growth = 0.021,
+                     .recovery = 3.5,
+                     .least = 0.01,
+                     .alpha_poor = 0.05,
+                     .alpha_rich = 0.3,
+                     .calibration = {.localizer = "ndt_mcl_sum", .sensor = "HDL: 32", .noise = 0.008, .range_max = 6.5, .scale_bias = -0.02}};
   return map;
 }
 
@@ -53,6 +59,7 @@ void expect_same(const AlignabilityMap& a, const AlignabilityMap& b) {
   EXPECT_EQ(a.options, b.options);
   EXPECT_EQ(a.sensor, b.sensor);
   EXPECT_EQ(a.provenance, b.provenance);
+  EXPECT_EQ(a.error_model, b.error_model);
   ASSERT_EQ(a.layers.size(), b.layers.size());
   for (std::size_t i = 0; i < a.layers.size(); ++i) {
     EXPECT_EQ(a.layers[i].name, b.layers[i].name);

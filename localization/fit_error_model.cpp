@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "localization/fit_error_model.hpp"
+
+#include <Eigen/Core>
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <unsupported/Eigen/NonLinearOptimization>
+#include <unsupported/Eigen/NumericalDiff>
+
+namespace alignability {
+namespace {
+
+constexpr double kStep = 0.5;      // [m]
+constexpr double kSettling = 2.0;  // the first metres, where the guess of the start is still being mended
+constexpr double kPoor[] = {0.02, 0.05, 0.1, 0.15, 0.2};
+constexpr double kRich[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8};
+
+// A place of a path: the error there, and the alignability on the way to the next place.
+struct Station {
+  double s;
+  double p95;
+  double alpha;
+};
+
+using Stations = std::vector<Station>;
+
+double alpha_near(const Drive& drive, double s, const RiskField& risk) {
+  const auto at = std::ranges::lower_bound(drive, s, {}, [](const DriveSample& sample) { return sample.truth.s; });
+  const Pose2& pose = at == drive.end() ? drive.back().truth.pose : at->truth.pose;
+  return risk.alpha(pose.x, pose.y, pose.yaw);
+}
+
+std::vector<Stations> all_stations(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
+  std::vector<Stations> all;
+  for (const DrivenPath& path : paths) {
+    Stations stations;
+    for (const ErrorAlong& at : errors_along(path.runs, localizer, kStep)) {
+      if (at.s < kSettling) continue;
+      stations.push_back({at.s, at.p95, alpha_near(path.runs.front(), at.s + 0.5 * kStep, risk)});
+    }
+    if (stations.size() > 1) all.push_back(std::move(stations));
+  }
+  return all;
+}
+
+// At each station, from what the error is at the first.
+std::vector<double> predicted(const ErrorModel& model, const Stations& stations) {
+  std::vector<double> errors{stations.front().p95};
+  for (std::size_t i = 1; i < stations.size(); ++i) {
+    errors.push_back(model.advanced(errors.back(), stations[i - 1].alpha, stations[i].s - stations[i - 1].s));
+  }
+  return errors;
+}
+
+// The logarithms of growth, recovery and least, within what makes sense of them.
+ErrorModel with_parameters(ErrorModel model, const Eigen::VectorXd& logs) {
+  model.growth = std::exp(std::clamp(logs[0], std::log(1e-5), std::log(1.0)));
+  model.recovery = std::exp(std::clamp(logs[1], std::log(0.1), std::log(1000.0)));
+  model.least = std::exp(std::clamp(logs[2], std::log(1e-4), std::log(1.0)));
+  return model;
+}
+
+struct Residuals {
+  using Scalar = double;
+  using InputType = Eigen::VectorXd;
+  using ValueType = Eigen::VectorXd;
+  using JacobianType = Eigen::MatrixXd;
+  enum { InputsAtCompileTime = Eigen::Dynamic, ValuesAtCompileTime = Eigen::Dynamic };
+
+  const std::vector<Stations>& all;
+  ErrorModel model;
+  int count;
+
+  int inputs() const { return 3; }
+  int values() const { return count; }
+  int operator()(const Eigen::VectorXd& logs, Eigen::VectorXd& residuals) const {
+    const ErrorModel tried = with_parameters(model, logs);
+    int row = 0;
+    for (const Stations& stations : all) {
+      const std::vector<double> errors = predicted(tried, stations);
+      for (std::size_t i = 0; i < errors.size(); ++i) residuals[row++] = errors[i] - stations[i].p95;
+    }
+    return 0;
+  }
+};
+
+struct Fit {
+  ErrorModel model;
+  double squares = std::numeric_limits<double>::infinity();
+};
+
+Fit fit_with(const std::vector<Stations>& all, int count, double poor, double rich) {
+  ErrorModel model;
+  model.alpha_poor = poor;
+  model.alpha_rich = rich;
+  Eigen::NumericalDiff<Residuals> residuals(Residuals{all, model, count});
+  Eigen::LevenbergMarquardt<Eigen::NumericalDiff<Residuals>> solver(residuals);
+  Eigen::VectorXd logs = Eigen::Vector3d(std::log(0.02), std::log(3.0), std::log(0.05));
+  solver.minimize(logs);
+  return {with_parameters(model, logs), solver.fvec.squaredNorm()};
+}
+
+}  // namespace
+
+Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, const LidarModel& lidar, std::optional<double> range_max) {
+  return {.localizer = to_string(drive.localizers.at(localizer)),
+          .sensor = lidar.name,
+          .noise = lidar.range_stddev,
+          .range_max = range_max,
+          .scale_bias = drive.odometry.scale_bias};
+}
+
+ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
+  const std::vector<Stations> all = all_stations(paths, localizer, risk);
+  int count = 0;
+  for (const Stations& stations : all) count += static_cast<int>(stations.size());
+  if (count < 4) throw std::invalid_argument("an error model needs paths of more than a few metres to be fitted to");
+  Fit best;
+  for (const double poor : kPoor) {
+    for (const double rich : kRich) {
+      if (poor >= rich) continue;
+      Fit fit = fit_with(all, count, poor, rich);
+      if (fit.squares < best.squares) best = fit;
+    }
+  }
+  return best.model;
+}
+
+ErrorModelCheck check_error_model(const ErrorModel& model, std::span<const DrivenPath> paths, std::size_t localizer,
+                                  const RiskField& risk) {
+  double squares = 0.0, places = 0.0, covered = 0.0, scans = 0.0;
+  for (const DrivenPath& path : paths) {
+    const std::vector<Stations> all = all_stations({&path, 1}, localizer, risk);
+    if (all.empty()) continue;
+    const std::vector<double> errors = predicted(model, all.front());
+    for (std::size_t i = 0; i < errors.size(); ++i) {
+      squares += std::pow(errors[i] - all.front()[i].p95, 2);
+      places += 1.0;
+    }
+    for (const Drive& drive : path.runs) {
+      for (const DriveSample& sample : drive) {
+        const double number = std::round((sample.truth.s - all.front().front().s) / kStep);
+        if (number < 0.0 || number >= static_cast<double>(errors.size())) continue;
+        covered += sample.error(localizer) <= errors[static_cast<std::size_t>(number)] ? 1.0 : 0.0;
+        scans += 1.0;
+      }
+    }
+  }
+  return {std::sqrt(squares / places), covered / scans};
+}
+
+}  // namespace alignability

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "core/pose.hpp"
+#include "costmap/error_model.hpp"
+#include "costmap/risk_field.hpp"
+
+namespace alignability {
+
+/// What is predicted at a place of a path.
+struct PredictedError {
+  double s = 0.0;      ///< arc length [m]
+  double error = 0.0;  ///< 95th percentile [m]
+};
+
+/// The error that a model predicts along a path of straight pieces for a robot that is localized at its start as well as it can be, from
+/// vertex to vertex and every few centimetres between. O(length).
+std::vector<PredictedError> predicted_errors(std::span<const Pose2> path, const RiskField& risk, const ErrorModel& model);
+
+/// The greatest of them; the model's least for a path that goes nowhere.
+double greatest_predicted_error(std::span<const Pose2> path, const RiskField& risk, const ErrorModel& model);
+
+/// No error above so many metres may be predicted anywhere on a path. Safe to read from many threads.
+struct ErrorLimit {
+  ErrorModel model;
+  double most = 0.0;  ///< [m], > 0
+
+  /// What the error grows to along a straight way; nullopt where it exceeds the limit at some place of it.
+  std::optional<double> after(double error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
+};
+
+}  // namespace alignability

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/limited_plan.hpp"
+
+#include "planner/heading_search.hpp"
+#include "planner/headings.hpp"
+#include "planner/limited_path.hpp"
+#include "planner/planners.hpp"
+
+namespace alignability {
+namespace {
+
+// Vertices that are added to a path shift the steps by which its error is predicted, which changes that by less.
+constexpr double kStricter = 0.999;
+
+std::vector<Pose2> with_headings(const PlanarPath& path, const PlanQuery& query) {
+  if (query.motion.space == MotionSpace::se2) return turning_evenly(path, {query.start.yaw, query.goal.yaw, query.goal_tolerance.heading});
+  std::vector<Pose2> poses;
+  for (const Eigen::Vector2d& place : path) poses.push_back({place.x(), place.y(), 0.0});
+  return looking_ahead(std::move(poses), query.start.yaw);
+}
+
+double cost_of(const PathFigures& figures, const PlanQuery& query) {
+  const double turning = query.motion.space == MotionSpace::se2 ? query.motion.turn_cost * figures.turned : 0.0;
+  return figures.length + query.weight * figures.risk_integral + turning;
+}
+
+}  // namespace
+
+std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::optional<ErrorModel>& model) {
+  if (!query.max_error) return std::nullopt;
+  if (!model) return "a limit of the error needs an alignability map with an error model: 'calibrate' makes one";
+  if (query.planner.name != kDefaultPlanner)
+    return std::string("a limit of the error is kept by the planner '") + kDefaultPlanner + "' alone";
+  return std::nullopt;
+}
+
+PlanResult within_limit(PlanResult result, const ErrorModel& model, const DrivableArea& area) {
+  const PlanQuery& query = result.query;
+  const RiskField& risk = *area.risk_field();
+  result.predicted_error = greatest_predicted_error(result.path, risk, model);
+  if (!query.max_error || *result.predicted_error <= *query.max_error) return result;
+  const PlanarMotion motion{area.risk_field(), area.clearance_map(), query.weight, area.circumscribed_radius()};
+  const Eigen::Vector2d start = query.start.position();
+  const Eigen::Vector2d goal = query.goal.position();
+  if (const auto path = path_within(motion, {model, kStricter * *query.max_error}, start, goal)) {
+    // Short of the tolerance by more than rounding, so that it is met.
+    result.path = with_headings(cut_within(*path, (1.0 - 1e-6) * query.goal_tolerance.position), query);
+    result.figures = measure(result.path, risk);
+    result.cost = cost_of(result.figures, query);
+    result.predicted_error = greatest_predicted_error(result.path, risk, model);
+    return result;
+  }
+  const auto smallest = smallest_limit(motion, model, start, goal);
+  PlanResult none;
+  none.status = PlanStatus::infeasible;
+  none.query = query;
+  none.lower_bound = result.lower_bound;
+  if (smallest) none.smallest_max_error = *smallest / kStricter;
+  return none;
+}
+
+}  // namespace alignability
