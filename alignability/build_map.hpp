@@ -15,9 +15,6 @@
 
 namespace alignability {
 
-/// A place where the sensor would be nearer to a surface [m] is none to scan from.
-inline constexpr float kSensorClearance = 0.1f;
-
 struct MapOptions {
   double resolution = 1.0;          ///< side of an α-cell [m], at least that of the occupancy map
   int samples = 10;                 ///< scans a cell, >= 1

@@ -10,6 +10,9 @@
 
 namespace alignability {
 
+/// A place where a sensor would be nearer to a surface [m] is none to scan from.
+inline constexpr float kSensorClearance = 0.1f;
+
 /// Surfaces in the `map` frame that rays can be traced against, by Intel Embree. Immutable; copies share their data; all queries may be
 /// called from many threads at once.
 class Scene {

@@ -16,7 +16,6 @@
 namespace alignability {
 namespace {
 
-constexpr float kSensorClearance = 0.1f;  // [m]
 // So many are held before they are thinned: it does not grow with their number.
 constexpr std::size_t kScansAtOnce = 32;
 
