@@ -28,8 +28,17 @@ Json model_json(const ErrorModel& model) {
           {"alpha_poor", model.alpha_poor}, {"alpha_rich", model.alpha_rich}, {"localizer", model.calibration.localizer}};
 }
 
-Json check_json(const DrivenPath& path, bool held_out, const ErrorModelCheck& check) {
-  return {{"name", path.name}, {"held_out", held_out}, {"rms", check.rms}, {"covered", check.covered}};
+Json check_json(const DrivenPath& path, bool held_out, const std::optional<ErrorModelCheck>& check) {
+  return {{"name", path.name},
+          {"held_out", held_out},
+          {"rms", check ? Json(check->rms) : Json(nullptr)},
+          {"covered", check ? Json(check->covered) : Json(nullptr)}};
+}
+
+void refuse_unless_it_can_be_fitted(std::span<const DrivenPath> paths, const RiskField& risk) {
+  std::vector<std::vector<Pose2>> ways;
+  for (const DrivenPath& path : paths) ways.push_back(path.path);
+  if (const auto refusal = refusal_of_fit(ways, risk)) throw std::invalid_argument(*refusal);
 }
 
 void print_summary(const Json& summary) {
@@ -41,8 +50,13 @@ void print_summary(const Json& summary) {
       model["recovery"].get<double>());
   std::printf("%-24s %14s %10s\n", "", "off by (rms)", "covered");
   for (const Json& path : summary["paths"]) {
-    std::printf("%-24s %12.3f m %8.1f %%  %s\n", path["name"].get<std::string>().c_str(), path["rms"].get<double>(),
-                100.0 * path["covered"].get<double>(), path["held_out"].get<bool>() ? "held out" : "");
+    const std::string name = path["name"];
+    if (path["rms"].is_null()) {
+      std::printf("%-24s too short\n", name.c_str());
+      continue;
+    }
+    std::printf("%-24s %12.3f m %8.1f %%  %s\n", name.c_str(), path["rms"].get<double>(), 100.0 * path["covered"].get<double>(),
+                path["held_out"].get<bool>() ? "held out" : "");
   }
 }
 
@@ -52,18 +66,21 @@ int run(const Options& options) {
   const PlanProblem problem = load_problem(file);
   const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
   std::vector<DrivenPath> paths = read_paths(options.paths);
+  refuse_unless_it_can_be_fitted(paths, risk);
   for (DrivenPath& path : read_paths(options.held_out)) paths.push_back(std::move(path));
+  warn_of_collisions(paths, ClearanceMap(problem.occupancy), inscribed_radius(problem.query.robot));
   const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());
+  if (site.trials.drive.localizers.size() > 1) throw std::invalid_argument("an error model is one localizer's: name it by --localizer");
   TrialOptions trials = site.trials;
   trials.runs = options.runs;
-  drive_all(paths, site, trials);
+  paths = driven(std::move(paths), site, trials);
   AlignabilityMap map = problem.alignability;
   ErrorModel model = fit_error_model(std::span(paths).first(options.paths.size()), 0, risk);
   model.calibration = calibration_of(trials.drive, 0, site.lidar, file.range_max);
   map.error_model = model;
   Json summary{{"model", model_json(model)}, {"runs", options.runs}, {"paths", Json::array()}};
   for (std::size_t i = 0; i < paths.size(); ++i) {
-    summary["paths"].push_back(check_json(paths[i], i >= options.paths.size(), check_error_model(model, {&paths[i], 1}, 0, risk)));
+    summary["paths"].push_back(check_json(paths[i], i >= options.paths.size(), check_error_model(model, paths[i], 0, risk)));
   }
   const std::filesystem::path name = output_name(options.output);
   write_alignability_map(map, name);

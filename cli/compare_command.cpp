@@ -142,11 +142,12 @@ void add_compare(CLI::App& app, Work& work) {
   command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(weights);
-  command
-      ->add_option("--drive", options->drives,
-                   "Drive both paths that many times and compare how far off a localizer is; with --pairs, the ten that differ most")
-      ->check(CLI::Range(1, 100'000));
-  add_drive_options(*command, options->drive);
+  CLI::Option* drives =
+      command
+          ->add_option("--drive", options->drives,
+                       "Drive both paths that many times and compare how far off a localizer is; with --pairs, the ten that differ most")
+          ->check(CLI::Range(1, 100'000));
+  for (CLI::Option* option : add_drive_options(*command, options->drive)) option->needs(drives);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output,
                       "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "

@@ -4,20 +4,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/compare_output.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/validate_output.hpp"
 
 namespace alignability::cli {
-namespace {
-
-void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
-  char relative[32] = "";
-  if (shortest > 0.0) std::snprintf(relative, sizeof relative, "%6.2f x", risk_aware / shortest);
-  std::printf("%-18s %10.2f %-2s %10.2f %-2s %10s\n", name, shortest, unit, risk_aware, unit, relative);
-}
-
-}  // namespace
-
 std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Comparison> comparisons, const DriveSite& site, int runs,
                                                              const ClearanceMap& clearance) {
   std::vector<std::vector<Pose2>> paths;
@@ -32,11 +23,10 @@ std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Com
   const std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, paths, trials);
   std::vector<std::vector<DrivenComparison>> driven(comparisons.size());
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
-    if (!solved(comparisons[i])) continue;
     const double radius = circumscribed_radius(comparisons[i].shortest.query.robot);
     for (std::size_t k = 0; k < trials.drive.localizers.size(); ++k) {
-      driven[i].push_back({trials.drive.localizers[k], path_errors(drives[2 * i], k, clearance, radius, {}),
-                           path_errors(drives[2 * i + 1], k, clearance, radius, {})});
+      driven[i].push_back({trials.drive.localizers[k], path_errors({&drives[2 * i], 1}, k, clearance, radius, {}),
+                           path_errors({&drives[2 * i + 1], 1}, k, clearance, radius, {})});
     }
   }
   return driven;

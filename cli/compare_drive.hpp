@@ -17,7 +17,7 @@ struct DrivenComparison {
   PathErrors risk_aware;
 };
 
-/// By comparison, then by localizer. Those that are not solved have none. Throws Interrupted.
+/// By comparison, then by localizer. All must be solved. Throws Interrupted.
 std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Comparison> comparisons, const DriveSite& site, int runs,
                                                              const ClearanceMap& clearance);
 

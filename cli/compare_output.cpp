@@ -15,12 +15,6 @@
 namespace alignability::cli {
 namespace {
 
-void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
-  char relative[32] = "";
-  if (shortest > 0.0) std::snprintf(relative, sizeof relative, "%6.2f x", risk_aware / shortest);
-  std::printf("%-18s %10.2f %-2s %10.2f %-2s %10s\n", name, shortest, unit, risk_aware, unit, relative);
-}
-
 using Figure = double (*)(const Comparison&);
 
 std::vector<double> over_pairs(std::span<const Comparison> pairs, Figure figure) {
@@ -53,6 +47,12 @@ std::string csv_figures(const PlanResult& result) {
 }
 
 }  // namespace
+
+void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
+  char relative[32] = "";
+  if (shortest > 0.0) std::snprintf(relative, sizeof relative, "%6.2f x", risk_aware / shortest);
+  std::printf("%-18s %10.2f %-2s %10.2f %-2s %10s\n", name, shortest, unit, risk_aware, unit, relative);
+}
 
 void print_table(const Comparison& comparison) {
   const PathFigures& a = comparison.shortest.figures;

@@ -8,6 +8,9 @@
 
 namespace alignability::cli {
 
+/// A line of the table: a figure of both paths, and what the second has of the first.
+void print_row(const char* name, double shortest, double risk_aware, const char* unit);
+
 void print_table(const Comparison& comparison);
 /// A row a weight, for --weights.
 void print_curve(std::span<const PlanResult> curve);

@@ -5,6 +5,7 @@
 
 #include "cli/progress_bar.hpp"
 #include "core/input_error.hpp"
+#include "core/range.hpp"
 #include "planner/route_file.hpp"
 
 namespace alignability::cli {
@@ -20,13 +21,26 @@ std::vector<DrivenPath> read_paths(std::span<const std::filesystem::path> files)
   return paths;
 }
 
-void drive_all(std::vector<DrivenPath>& paths, const DriveSite& site, TrialOptions trials) {
+std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& site, TrialOptions trials) {
   std::vector<std::vector<Pose2>> ways;
   for (const DrivenPath& path : paths) ways.push_back(path.path);
   ProgressBar bar("drives");
   trials.progress = bar.callback();
   std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, ways, trials);
   for (std::size_t i = 0; i < paths.size(); ++i) paths[i].runs = std::move(drives[i]);
+  return paths;
+}
+
+void warn_of_collisions(std::span<const DrivenPath> paths, const ClearanceMap& clearance, double radius) {
+  for (const DrivenPath& path : paths) {
+    for (std::size_t i = 1; i < path.path.size(); ++i) {
+      // A path may keep to its distance to within rounding.
+      if (clearance.is_clear(path.path[i - 1].position(), path.path[i].position(), radius - 1e-6)) continue;
+      std::cerr << "warning: " << path.name << " leads the robot into an obstacle or off the map near x " << to_text(path.path[i].x)
+                << ", y " << to_text(path.path[i].y) << '\n';
+      break;
+    }
+  }
 }
 
 }  // namespace alignability::cli

@@ -14,7 +14,10 @@ namespace alignability::cli {
 /// Throws InputError, for a graph too.
 std::vector<DrivenPath> read_paths(std::span<const std::filesystem::path> files);
 
-/// Drives them, with a progress bar. Throws Interrupted.
-void drive_all(std::vector<DrivenPath>& paths, const DriveSite& site, TrialOptions trials);
+/// The paths with their runs, driven with a progress bar. Throws Interrupted.
+std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& site, TrialOptions trials);
+
+/// Tells on stderr which paths lead a robot of that radius [m] into an obstacle: they are driven all the same, through it.
+void warn_of_collisions(std::span<const DrivenPath> paths, const ClearanceMap& clearance, double radius);
 
 }  // namespace alignability::cli

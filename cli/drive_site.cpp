@@ -53,7 +53,8 @@ std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, 
 
 }  // namespace
 
-void add_drive_options(CLI::App& command, DriveSiteOptions& options) {
+std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions& options) {
+  const std::size_t before = command.get_options().size();
   command.add_option("--drive-file", options.file, "What drives and how it is localized, in place of the problem's file");
   command.add_option("--localizer", options.localizers, "In place of the file's: ndt_mcl_sum, ndt_mcl_product, scan_matching, or several")
       ->delimiter(',');
@@ -67,6 +68,8 @@ void add_drive_options(CLI::App& command, DriveSiteOptions& options) {
   command.add_option("--floor", options.floor, "Height of base_link in map [m]")->capture_default_str();
   command.add_option("--threads", options.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_world_options(command, options.reading);
+  const std::vector<CLI::Option*> all = command.get_options();
+  return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
 }
 
 DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::path& problem_file, const OccupancyMap& occupancy,

@@ -27,8 +27,8 @@ struct DriveSiteOptions {
   WorldOptions reading;
 };
 
-/// All but the number of runs.
-void add_drive_options(CLI::App& command, DriveSiteOptions& options);
+/// All but the number of runs; those that it added.
+std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions& options);
 
 /// A site to drive in.
 struct DriveSite {

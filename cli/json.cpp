@@ -41,12 +41,14 @@ Json options_json(const PlanQuery& query) {
     for (const Eigen::Vector2d& at : query.robot.footprint) corners.push_back({at.x(), at.y()});
     robot = {{"footprint", corners}};
   }
+  Json risk{{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}};
+  if (query.max_error) risk["max_error"] = *query.max_error;
   return {{"robot", robot},
           {"motion", {{"space", query.motion.space == MotionSpace::r2 ? "r2" : "se2"}, {"turn_cost", query.motion.turn_cost}}},
           {"start", pose(query.start)},
           {"goal", pose(query.goal)},
           {"goal_tolerance", {{"position", query.goal_tolerance.position}, {"heading_deg", degrees(query.goal_tolerance.heading)}}},
-          {"risk", {{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}}},
+          {"risk", risk},
           {"planner", planner}};
 }
 

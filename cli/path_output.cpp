@@ -24,7 +24,7 @@ const char* explanation(PlanStatus status) {
     case PlanStatus::timeout:
       return "no path was found in the time given; try a longer --time or another --planner";
     case PlanStatus::infeasible:
-      return "no path keeps the limits";
+      return "no path was found that keeps the limit of the error";
     case PlanStatus::start_in_collision:
       return "the robot collides at the start";
     case PlanStatus::goal_in_collision:

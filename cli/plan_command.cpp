@@ -11,7 +11,6 @@
 #include "core/file.hpp"
 #include "core/progress.hpp"
 #include "localization/drive_file.hpp"
-#include "localization/fit_error_model.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -33,12 +32,21 @@ void write_files(const PlanProblem& problem, const RiskField& risk, const PlanRe
   write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
 }
 
-// Where the map's error model was fitted for something else than the problem drives.
+// Where the map's error model was fitted for something else than the problem names.
 void warn_of_mismatches(const ProblemFile& file, const AlignabilityMap& map) {
-  if (!map.error_model || !file.sensor || !file.drive) return;
-  const DriveOptions drive = read_drive_file(*file.drive);
-  const LidarModel lidar = read_lidar_model(*file.sensor);
-  for (const std::string& mismatch : mismatches(map.error_model->calibration, calibration_of(drive, 0, lidar, file.range_max))) {
+  Calibration used = map.error_model->calibration;
+  if (file.sensor) {
+    const LidarModel lidar = read_lidar_model(*file.sensor);
+    used.sensor = lidar.name;
+    used.noise = lidar.range_stddev;
+    used.range_max = file.range_max;
+  }
+  if (file.drive) {
+    const DriveOptions drive = read_drive_file(*file.drive);
+    used.localizer = to_string(drive.localizers.front());
+    used.scale_bias = drive.odometry.scale_bias;
+  }
+  for (const std::string& mismatch : mismatches(map.error_model->calibration, used)) {
     std::cerr << "warning: " << file.alignability.string() << ": the error model was " << mismatch << '\n';
   }
 }
@@ -61,7 +69,7 @@ int run(const Options& options) {
   ProblemFile file = problem_file(options.problem);
   if (options.max_error) file.query.max_error = options.max_error;
   const PlanProblem problem = load_problem(file);
-  if (file.query.max_error) warn_of_mismatches(file, problem.alignability);
+  if (problem.alignability.error_model) warn_of_mismatches(file, problem.alignability);
   const PlanningFields fields(problem);
   const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
   if (result.status == PlanStatus::interrupted) throw Interrupted();

@@ -8,9 +8,11 @@
 #include "cli/validate_output.hpp"
 #include "cli/validate_pictures.hpp"
 #include "core/file.hpp"
+#include "core/progress.hpp"
 #include "core/range.hpp"
 #include "planner/headings.hpp"
 #include "planner/plan.hpp"
+#include "planner/planners.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -27,13 +29,18 @@ struct Options {
 };
 
 // The shortest way from one waypoint to the next, as a disk goes.
-std::vector<Pose2> leg(PlanQuery query, const PlanningFields& fields, const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+std::vector<Pose2> leg(PlanQuery query, const PlanningFields& fields, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                       const std::stop_token& stop) {
   query.robot = {.radius = circumscribed_radius(query.robot)};
   query.motion.space = MotionSpace::r2;
   query.weight = 0.0;
+  query.max_error.reset();
+  query.planner.name = kDefaultPlanner;
+  query.goal_tolerance.position = 1e-6;
   query.start = {from.x(), from.y(), 0.0};
   query.goal = {to.x(), to.y(), 0.0};
-  const PlanResult result = plan(query, fields, {});
+  const PlanResult result = plan(query, fields, {.stop = stop});
+  if (result.status == PlanStatus::interrupted) throw Interrupted();
   if (result.status != PlanStatus::solved) {
     throw std::invalid_argument("--waypoints: no way from " + to_text(from.x()) + ',' + to_text(from.y()) + " to " + to_text(to.x()) + ',' +
                                 to_text(to.y()) + ": " + to_string(result.status));
@@ -41,14 +48,14 @@ std::vector<Pose2> leg(PlanQuery query, const PlanningFields& fields, const Eige
   return result.path;
 }
 
-std::vector<Pose2> tour(const Options& options, const PlanQuery& query, const PlanningFields& fields) {
+std::vector<Pose2> tour(const Options& options, const PlanQuery& query, const PlanningFields& fields, const std::stop_token& stop) {
   if (options.waypoints.size() % 2 != 0) throw std::invalid_argument("--waypoints: takes pairs of x,y");
   std::vector<Eigen::Vector2d> waypoints;
   for (std::size_t i = 0; i < options.waypoints.size(); i += 2) waypoints.emplace_back(options.waypoints[i], options.waypoints[i + 1]);
   if (waypoints.size() < 2) throw std::invalid_argument("--waypoints: takes at least two");
   std::vector<Pose2> lap;
   for (std::size_t i = 0; i < waypoints.size(); ++i) {
-    const std::vector<Pose2> way = leg(query, fields, waypoints[i], waypoints[(i + 1) % waypoints.size()]);
+    const std::vector<Pose2> way = leg(query, fields, waypoints[i], waypoints[(i + 1) % waypoints.size()], stop);
     lap.insert(lap.end(), way.begin(), way.end());
   }
   std::vector<Pose2> path;
@@ -61,12 +68,14 @@ int run(const Options& options) {
   const ProblemFile file = problem_file(options.problem);
   const PlanProblem problem = load_problem(file);
   const PlanningFields fields(problem);
-  std::vector<DrivenPath> paths =
-      options.paths.empty() ? std::vector{DrivenPath{"tour", tour(options, problem.query, fields), {}}} : read_paths(options.paths);
+  std::vector<DrivenPath> paths = options.paths.empty()
+                                      ? std::vector{DrivenPath{"tour", tour(options, problem.query, fields, interrupt.token()), {}}}
+                                      : read_paths(options.paths);
+  warn_of_collisions(paths, *fields.clearance, inscribed_radius(problem.query.robot));
   const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());
   TrialOptions trials = site.trials;
   trials.runs = options.runs;
-  drive_all(paths, site, trials);
+  paths = driven(std::move(paths), site, trials);
   const ErrorReference reference{problem.alignability, *fields.clearance, circumscribed_radius(problem.query.robot)};
   const std::vector<Validation> validations = validate(paths, trials.drive.localizers, reference);
   std::vector<Json> summaries;

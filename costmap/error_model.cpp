@@ -13,14 +13,16 @@ double ErrorModel::poverty(double alpha) const {
   return std::clamp((alpha_rich - alpha) / (alpha_rich - alpha_poor), 0.0, 1.0);
 }
 
-double ErrorModel::advanced(double error, double alpha, double metres) const {
+ErrorModel::Change ErrorModel::change(double alpha, double metres) const {
   const double poor = poverty(alpha);
   const double rate = (1.0 - poor) / recovery;
-  // The share of the way to equilibrium, and metres of growth; both tend to `metres` times their rates for small ones.
   const double decay = std::exp(-rate * metres);
+  // ∫ of what is left of a unit of growth, over the metres.
   const double growing = rate > 0.0 ? -std::expm1(-rate * metres) / rate : metres;
-  return std::max(least, least + (error - least) * decay + growth * poor * growing);
+  return {least * (1.0 - decay) + growth * poor * growing, decay};
 }
+
+double ErrorModel::advanced(double error, double alpha, double metres) const { return std::max(least, change(alpha, metres).of(error)); }
 
 std::vector<std::string> mismatches(const Calibration& fitted, const Calibration& used) {
   std::vector<std::string> sentences;

@@ -31,9 +31,20 @@ struct ErrorModel {
   double alpha_rich = 0.4;  ///< in (alpha_poor, 1]
   Calibration calibration;
 
+  /// What a way makes of the error with which it begins.
+  struct Change {
+    double offset = 0.0;  ///< [m]
+    double factor = 1.0;
+
+    double of(double error) const { return offset + factor * error; }
+    Change then(const Change& next) const { return {next.offset + next.factor * offset, next.factor * factor}; }
+  };
+
   /// 1 where α is NaN.
   double poverty(double alpha) const;
-  /// E after so many metres at one α, exactly; never below the least.
+  /// That of so many metres at one α, exactly.
+  Change change(double alpha, double metres) const;
+  /// E after so many metres at one α; never below the least.
   double advanced(double error, double alpha, double metres) const;
 
   bool operator==(const ErrorModel&) const = default;

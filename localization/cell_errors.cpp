@@ -23,8 +23,7 @@ struct Visits {
 using VisitsOfRun = std::map<std::size_t, Visits>;  // by the cell's index
 
 // What lies between two scans belongs to the cell of the first.
-VisitsOfRun visits_of(const Drive& drive, std::size_t localizer, const GridGeometry& cells, double settling) {
-  VisitsOfRun visits;
+void add_visits(VisitsOfRun& visits, const Drive& drive, std::size_t localizer, const GridGeometry& cells, double settling) {
   for (std::size_t i = 0; i < drive.size(); ++i) {
     const TimedPose& truth = drive[i].truth;
     const auto cell = cells.cell_near(truth.pose.position());
@@ -37,12 +36,16 @@ VisitsOfRun visits_of(const Drive& drive, std::size_t localizer, const GridGeome
     at.grown += drive[i + 1].error(localizer) - error;
     at.metres += drive[i + 1].truth.s - truth.s;
   }
-  return visits;
 }
 
-std::vector<VisitsOfRun> all_visits(std::span<const Drive> runs, std::size_t localizer, const GridGeometry& cells, double settling) {
+// By the number of the run, on all paths.
+std::vector<VisitsOfRun> all_visits(std::span<const std::vector<Drive>> paths, std::size_t localizer, const GridGeometry& cells,
+                                    double settling) {
   std::vector<VisitsOfRun> all;
-  for (const Drive& drive : runs) all.push_back(visits_of(drive, localizer, cells, settling));
+  for (const std::vector<Drive>& runs : paths) {
+    if (all.size() < runs.size()) all.resize(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) add_visits(all[i], runs[i], localizer, cells, settling);
+  }
   return all;
 }
 
@@ -89,8 +92,10 @@ double correlation(const std::vector<CellErrors>& errors, double CellErrors::*fi
 
 }  // namespace
 
-std::vector<CellErrors> cell_errors(std::span<const Drive> runs, std::size_t localizer, const GridGeometry& cells, double settling) {
-  return joined(all_visits(runs, localizer, cells, settling), each_once(runs.size()), cells);
+std::vector<CellErrors> cell_errors(std::span<const std::vector<Drive>> paths, std::size_t localizer, const GridGeometry& cells,
+                                    double settling) {
+  const std::vector<VisitsOfRun> all = all_visits(paths, localizer, cells, settling);
+  return joined(all, each_once(all.size()), cells);
 }
 
 Statement::Verdict Statement::verdict() const {
@@ -98,10 +103,10 @@ Statement::Verdict Statement::verdict() const {
   return exceptions == 0 ? Verdict::holds : Verdict::fails;
 }
 
-Prediction prediction(std::span<const Drive> runs, std::size_t localizer, const Grid<float>& reading, double settling,
+Prediction prediction(std::span<const std::vector<Drive>> paths, std::size_t localizer, const Grid<float>& reading, double settling,
                       const BootstrapOptions& options) {
   const GridGeometry& cells = reading.geometry();
-  const std::vector<VisitsOfRun> all = all_visits(runs, localizer, cells, settling);
+  const std::vector<VisitsOfRun> all = all_visits(paths, localizer, cells, settling);
   const auto correlation_with = [&](double CellErrors::*figure) {
     return bootstrap(
         all.size(), [&](std::span<const std::size_t> chosen) { return correlation(joined(all, chosen, cells), figure, reading); }, options);

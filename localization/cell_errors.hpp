@@ -19,9 +19,10 @@ struct CellErrors {
   double metres = 0.0;  ///< driven in it, in all runs
 };
 
-/// The errors of one localizer, given by number, by the cell that the robot was in; cells that no run came by are left out. In the order of
-/// the grid. Scans within `settling` [m] of the start, where the first guess is still being mended, do not count.
-std::vector<CellErrors> cell_errors(std::span<const Drive> runs, std::size_t localizer, const GridGeometry& cells, double settling);
+/// The errors of one localizer, given by number, over runs of some paths, by the cell that the robot was in; cells that no run came by are
+/// left out. In the order of the grid. Scans within `settling` [m] of the start, where the first guess is still being mended, do not count.
+std::vector<CellErrors> cell_errors(std::span<const std::vector<Drive>> paths, std::size_t localizer, const GridGeometry& cells,
+                                    double settling);
 
 /// How a statement on cells fared: those with a reading on one side of a threshold, and how many of these keep what is said of them.
 struct Statement {
@@ -47,9 +48,9 @@ struct Prediction {
   Statement small_where_rich;       ///< errors below 0.1 m where the reading is above 0.4
 };
 
-/// Over cells that have a reading, of the same geometry; intervals by drawing runs anew, not cells, which are not independent of
-/// one another. O(resamples · samples).
-Prediction prediction(std::span<const Drive> runs, std::size_t localizer, const Grid<float>& reading, double settling,
+/// Over cells that have a reading, of the same geometry; intervals by drawing runs anew, those of one number on all paths together, not
+/// cells, which are not independent of one another. O(resamples · samples).
+Prediction prediction(std::span<const std::vector<Drive>> paths, std::size_t localizer, const Grid<float>& reading, double settling,
                       const BootstrapOptions& options);
 
 }  // namespace alignability

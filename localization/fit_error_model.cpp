@@ -14,6 +14,7 @@ namespace {
 
 constexpr double kStep = 0.5;      // [m]
 constexpr double kSettling = 2.0;  // the first metres, where the guess of the start is still being mended
+constexpr double kLeastMetres = 4.0;
 constexpr double kPoor[] = {0.02, 0.05, 0.1, 0.15, 0.2};
 constexpr double kRich[] = {0.1, 0.2, 0.3, 0.4, 0.5, 0.6, 0.8};
 
@@ -32,17 +33,20 @@ double alpha_near(const Drive& drive, double s, const RiskField& risk) {
   return risk.alpha(pose.x, pose.y, pose.yaw);
 }
 
-std::vector<Stations> all_stations(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
-  std::vector<Stations> all;
-  for (const DrivenPath& path : paths) {
-    Stations stations;
-    for (const ErrorAlong& at : errors_along(path.runs, localizer, kStep)) {
-      if (at.s < kSettling) continue;
-      stations.push_back({at.s, at.p95, alpha_near(path.runs.front(), at.s + 0.5 * kStep, risk)});
-    }
-    if (stations.size() > 1) all.push_back(std::move(stations));
+Stations stations_of(const DrivenPath& path, std::size_t localizer, const RiskField& risk) {
+  Stations stations;
+  for (const ErrorAlong& at : errors_along(path.runs, localizer, kStep)) {
+    if (at.s < kSettling) continue;
+    stations.push_back({at.s, at.p95, alpha_near(path.runs.front(), at.s + 0.5 * kStep, risk)});
   }
-  return all;
+  return stations;
+}
+
+// Whether there are enough metres on both sides of two thresholds.
+bool tell(const std::vector<double>& alphas, double poor, double rich) {
+  const auto enough = [](std::ptrdiff_t steps) { return static_cast<double>(steps) * kStep >= kLeastMetres; };
+  return enough(std::ranges::count_if(alphas, [&](double alpha) { return std::isnan(alpha) || alpha <= poor; })) &&
+         enough(std::ranges::count_if(alphas, [&](double alpha) { return alpha >= rich; }));
 }
 
 // At each station, from what the error is at the first.
@@ -112,43 +116,56 @@ Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, con
           .scale_bias = drive.odometry.scale_bias};
 }
 
+std::optional<std::string> refusal_of_fit(std::span<const std::vector<Pose2>> paths, const RiskField& risk) {
+  std::vector<double> alphas;
+  for (const std::vector<Pose2>& path : paths) {
+    for (const TimedPose& at : poses_along(path, {}, kStep)) {
+      if (at.s >= kSettling) alphas.push_back(risk.alpha(at.pose.x, at.pose.y, at.pose.yaw));
+    }
+  }
+  if (tell(alphas, std::ranges::max(kPoor), kRich[2])) return std::nullopt;
+  return "an error model needs paths with at least 4 m of alignability up to 0.2 and 4 m of 0.3 and more to be fitted to";
+}
+
 ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
-  const std::vector<Stations> all = all_stations(paths, localizer, risk);
-  int count = 0;
-  for (const Stations& stations : all) count += static_cast<int>(stations.size());
-  if (count < 4) throw std::invalid_argument("an error model needs paths of more than a few metres to be fitted to");
+  std::vector<std::vector<Pose2>> ways;
+  for (const DrivenPath& path : paths) ways.push_back(path.path);
+  if (const auto refusal = refusal_of_fit(ways, risk)) throw std::invalid_argument(*refusal);
+  std::vector<Stations> all;
+  std::vector<double> alphas;
+  for (const DrivenPath& path : paths) {
+    Stations stations = stations_of(path, localizer, risk);
+    if (stations.size() < 2) continue;
+    for (const Station& station : stations) alphas.push_back(station.alpha);
+    all.push_back(std::move(stations));
+  }
   Fit best;
   for (const double poor : kPoor) {
     for (const double rich : kRich) {
-      if (poor >= rich) continue;
-      Fit fit = fit_with(all, count, poor, rich);
+      if (poor >= rich || !tell(alphas, poor, rich)) continue;
+      Fit fit = fit_with(all, static_cast<int>(alphas.size()), poor, rich);
       if (fit.squares < best.squares) best = fit;
     }
   }
   return best.model;
 }
 
-ErrorModelCheck check_error_model(const ErrorModel& model, std::span<const DrivenPath> paths, std::size_t localizer,
-                                  const RiskField& risk) {
-  double squares = 0.0, places = 0.0, covered = 0.0, scans = 0.0;
-  for (const DrivenPath& path : paths) {
-    const std::vector<Stations> all = all_stations({&path, 1}, localizer, risk);
-    if (all.empty()) continue;
-    const std::vector<double> errors = predicted(model, all.front());
-    for (std::size_t i = 0; i < errors.size(); ++i) {
-      squares += std::pow(errors[i] - all.front()[i].p95, 2);
-      places += 1.0;
-    }
-    for (const Drive& drive : path.runs) {
-      for (const DriveSample& sample : drive) {
-        const double number = std::round((sample.truth.s - all.front().front().s) / kStep);
-        if (number < 0.0 || number >= static_cast<double>(errors.size())) continue;
-        covered += sample.error(localizer) <= errors[static_cast<std::size_t>(number)] ? 1.0 : 0.0;
-        scans += 1.0;
-      }
+std::optional<ErrorModelCheck> check_error_model(const ErrorModel& model, const DrivenPath& path, std::size_t localizer,
+                                                 const RiskField& risk) {
+  const Stations stations = stations_of(path, localizer, risk);
+  if (stations.size() < 2) return std::nullopt;
+  const std::vector<double> errors = predicted(model, stations);
+  double squares = 0.0, covered = 0.0, scans = 0.0;
+  for (std::size_t i = 0; i < errors.size(); ++i) squares += std::pow(errors[i] - stations[i].p95, 2);
+  for (const Drive& drive : path.runs) {
+    for (const DriveSample& sample : drive) {
+      if (sample.truth.s < stations.front().s) continue;
+      const auto next = std::ranges::upper_bound(stations, sample.truth.s, {}, &Station::s);
+      covered += sample.error(localizer) <= errors[static_cast<std::size_t>(next - stations.begin()) - 1] ? 1.0 : 0.0;
+      scans += 1.0;
     }
   }
-  return {std::sqrt(squares / places), covered / scans};
+  return ErrorModelCheck{std::sqrt(squares / static_cast<double>(errors.size())), covered / scans};
 }
 
 }  // namespace alignability

@@ -12,73 +12,85 @@
 namespace alignability {
 namespace {
 
+// Of one number, on all paths.
 struct RunErrors {
-  std::vector<double> errors;
+  std::vector<double> errors;  // of all scans
   double sum = 0.0;
   double max = 0.0;
   double unsafe = 0.0;  // scans
+  double drives = 0.0;
+  double goal = 0.0;  // sum over the drives
+  double lost = 0.0;  // drives
 };
 
-RunErrors errors_of(const Drive& drive, std::size_t localizer, const ClearanceMap& clearance, double radius) {
-  RunErrors run;
+void add(RunErrors& run, const Drive& drive, std::size_t localizer, const ClearanceMap& clearance, double radius) {
+  if (drive.empty()) return;
+  double most = 0.0;
   for (const DriveSample& sample : drive) {
     const double error = sample.error(localizer);
     run.errors.push_back(error);
     run.sum += error;
-    run.max = std::max(run.max, error);
+    most = std::max(most, error);
     if (error > clearance.distance(sample.truth.pose.position()) - radius) run.unsafe += 1.0;
   }
-  return run;
+  run.max = std::max(run.max, most);
+  run.drives += 1.0;
+  run.goal += run.errors.back();
+  run.lost += most > kLostError ? 1.0 : 0.0;
 }
 
-double percentile_95(std::vector<double> values) {
-  std::ranges::sort(values);
-  return quantile(values, 0.95);
+std::vector<RunErrors> errors_by_run(std::span<const std::vector<Drive>> paths, std::size_t localizer, const ClearanceMap& clearance,
+                                     double radius) {
+  std::vector<RunErrors> all;
+  for (const std::vector<Drive>& runs : paths) {
+    if (all.size() < runs.size()) all.resize(runs.size());
+    for (std::size_t i = 0; i < runs.size(); ++i) add(all[i], runs[i], localizer, clearance, radius);
+  }
+  std::erase_if(all, [](const RunErrors& run) { return run.errors.empty(); });
+  return all;
+}
+
+using Runs = std::span<const std::size_t>;
+
+double percentile_95(const std::vector<RunErrors>& all, Runs chosen) {
+  std::vector<double> errors;
+  for (const std::size_t run : chosen) errors.insert(errors.end(), all[run].errors.begin(), all[run].errors.end());
+  // Only what is about the percentile needs to be in order.
+  const auto below = static_cast<std::ptrdiff_t>(0.95 * static_cast<double>(errors.size() - 1));
+  const auto at = errors.begin() + below;
+  std::nth_element(errors.begin(), at, errors.end());
+  const double share = 0.95 * static_cast<double>(errors.size() - 1) - static_cast<double>(below);
+  return at + 1 == errors.end() ? *at : std::lerp(*at, *std::min_element(at + 1, errors.end()), share);
 }
 
 }  // namespace
 
-PathErrors path_errors(std::span<const Drive> runs, std::size_t localizer, const ClearanceMap& clearance, double radius,
+PathErrors path_errors(std::span<const std::vector<Drive>> paths, std::size_t localizer, const ClearanceMap& clearance, double radius,
                        const BootstrapOptions& options) {
-  std::vector<RunErrors> all;
-  for (const Drive& drive : runs) {
-    if (!drive.empty()) all.push_back(errors_of(drive, localizer, clearance, radius));
-  }
-  using Runs = std::span<const std::size_t>;
-  const auto over_scans = [&](double RunErrors::*figure) {
-    return [&all, figure](Runs chosen) {
-      double sum = 0.0, scans = 0.0;
-      for (const std::size_t run : chosen) {
-        sum += all[run].*figure;
-        scans += static_cast<double>(all[run].errors.size());
-      }
-      return sum / scans;
-    };
+  const std::vector<RunErrors> all = errors_by_run(paths, localizer, clearance, radius);
+  const auto sum = [&all](Runs chosen, auto figure) {
+    double total = 0.0;
+    for (const std::size_t run : chosen) total += figure(all[run]);
+    return total;
   };
-  const auto over_runs = [&](auto figure) {
-    return [&all, figure](Runs chosen) {
-      double sum = 0.0;
-      for (const std::size_t run : chosen) sum += figure(all[run]);
-      return sum / static_cast<double>(chosen.size());
-    };
+  const auto scans = [](const RunErrors& run) { return static_cast<double>(run.errors.size()); };
+  const auto share = [&](double RunErrors::*figure, auto of) {
+    return bootstrap(
+        all.size(), [&](Runs chosen) { return sum(chosen, [&](const RunErrors& run) { return run.*figure; }) / sum(chosen, of); }, options);
   };
-  const auto p95 = [&](Runs chosen) {
-    std::vector<double> errors;
-    for (const std::size_t run : chosen) errors.insert(errors.end(), all[run].errors.begin(), all[run].errors.end());
-    return percentile_95(std::move(errors));
-  };
+  const auto drives = [](const RunErrors& run) { return run.drives; };
   const auto max = [&](Runs chosen) {
     double most = 0.0;
     for (const std::size_t run : chosen) most = std::max(most, all[run].max);
     return most;
   };
-  const auto figure = [&](auto of) { return bootstrap(all.size(), of, options); };
-  return {.mean = figure(over_scans(&RunErrors::sum)),
-          .p95 = figure(p95),
-          .max = figure(max),
-          .goal = figure(over_runs([](const RunErrors& run) { return run.errors.back(); })),
-          .lost = figure(over_runs([](const RunErrors& run) { return run.max > kLostError ? 1.0 : 0.0; })),
-          .unsafe = figure(over_scans(&RunErrors::unsafe))};
+  return {.mean = share(&RunErrors::sum, scans),
+          .p95 = bootstrap(
+              all.size(), [&](Runs chosen) { return percentile_95(all, chosen); }, options),
+          .max = bootstrap(all.size(), max, options),
+          .goal = share(&RunErrors::goal, drives),
+          .lost = share(&RunErrors::lost, drives),
+          .unsafe = share(&RunErrors::unsafe, scans)};
 }
 
 std::vector<ErrorAlong> errors_along(std::span<const Drive> runs, std::size_t localizer, double step) {

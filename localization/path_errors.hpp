@@ -24,8 +24,9 @@ struct PathErrors {
   Interval unsafe;  ///< share of the scans where the error exceeds what the robot has to the nearest obstacle
 };
 
-/// Of one localizer, given by number, over runs of one path by a disk of `radius` [m].
-PathErrors path_errors(std::span<const Drive> runs, std::size_t localizer, const ClearanceMap& clearance, double radius,
+/// Of one localizer, given by number, over runs of some paths, as many of each, by a disk of `radius` [m]. Runs of one number have the same
+/// errors of odometry, so that they are drawn together. All scans count, the first metres too, where a localizer finds its place.
+PathErrors path_errors(std::span<const std::vector<Drive>> paths, std::size_t localizer, const ClearanceMap& clearance, double radius,
                        const BootstrapOptions& options);
 
 /// Errors over all runs at one place of a path.

@@ -4,9 +4,9 @@
 namespace alignability {
 namespace {
 
-std::vector<Drive> all_runs(std::span<const DrivenPath> paths) {
-  std::vector<Drive> runs;
-  for (const DrivenPath& path : paths) runs.insert(runs.end(), path.runs.begin(), path.runs.end());
+std::vector<std::vector<Drive>> runs_of(std::span<const DrivenPath> paths) {
+  std::vector<std::vector<Drive>> runs;
+  for (const DrivenPath& path : paths) runs.push_back(path.runs);
   return runs;
 }
 
@@ -14,16 +14,18 @@ std::vector<Drive> all_runs(std::span<const DrivenPath> paths) {
 
 std::vector<Validation> validate(std::span<const DrivenPath> paths, std::span<const Localizer> localizers,
                                  const ErrorReference& reference) {
-  const std::vector<Drive> runs = all_runs(paths);
+  const std::vector<std::vector<Drive>> runs = runs_of(paths);
   std::vector<Validation> validations;
   for (std::size_t i = 0; i < localizers.size(); ++i) {
-    const auto errors_of = [&](std::span<const Drive> drives) { return path_errors(drives, i, reference.clearance, reference.radius, {}); };
+    const auto errors_of = [&](std::span<const std::vector<Drive>> drives) {
+      return path_errors(drives, i, reference.clearance, reference.radius, {});
+    };
     Validation validation{.localizer = localizers[i],
                           .errors = errors_of(runs),
                           .by_path = {},
                           .layers = {},
                           .cells = cell_errors(runs, i, reference.map.geometry, reference.settling)};
-    for (const DrivenPath& path : paths) validation.by_path.push_back(errors_of(path.runs));
+    for (const DrivenPath& path : paths) validation.by_path.push_back(paths.size() == 1 ? validation.errors : errors_of({&path.runs, 1}));
     for (const char* name : kReadingLayers) {
       const Grid<float>* const layer = reference.map.find_layer(name);
       if (layer != nullptr) validation.layers.push_back({name, prediction(runs, i, *layer, reference.settling, {})});

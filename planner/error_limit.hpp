@@ -30,6 +30,8 @@ struct ErrorLimit {
   ErrorModel model;
   double most = 0.0;  ///< [m], > 0
 
+  /// What a straight way makes of an error.
+  ErrorModel::Change change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
   /// What the error grows to along a straight way; nullopt where it exceeds the limit at some place of it.
   std::optional<double> after(double error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
 };

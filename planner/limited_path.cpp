@@ -12,7 +12,8 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kSpacings[] = {0.5, 0.25};  // of lattices, the next one where the last leads nowhere [m]
-constexpr double kErrorClasses = 50.0;       // errors that differ by less than such a part of the limit count as one
+// Errors that differ by less than such a part of the limit count as one; the next part where that loses the way.
+constexpr double kAlike[] = {0.02, 0.001};
 
 // The sixteen ways to places up to two columns and rows away with none between.
 constexpr std::array<Cell, 16> kSteps{{{1, 0},
@@ -35,13 +36,20 @@ constexpr std::array<Cell, 16> kSteps{{{1, 0},
 struct Edge {
   std::size_t to;
   double cost;
+  double length;  // [m]
+  ErrorModel::Change change;
 };
 
 // Places of a lattice, and after them the start and the goal.
 class Lattice {
  public:
-  Lattice(const PlanarMotion& motion, double spacing, const Eigen::Vector2d& start, const Eigen::Vector2d& goal)
-      : motion_(motion), grid_(grid_over(motion.clearance->geometry(), spacing)), start_(start), goal_(goal), edges_(size()) {
+  Lattice(const PlanarMotion& motion, const ErrorModel& model, double spacing, const Eigen::Vector2d& start, const Eigen::Vector2d& goal)
+      : motion_(motion),
+        limit_{model, kInfinite},
+        grid_(grid_over(motion.clearance->geometry(), spacing)),
+        start_(start),
+        goal_(goal),
+        edges_(size()) {
     for (std::size_t node = 0; node < grid_.size(); ++node) {
       if (motion_.is_allowed(place(node), place(node))) connect(node);
     }
@@ -88,11 +96,13 @@ class Lattice {
   void join(std::size_t a, std::size_t b) {
     if (!motion_.is_allowed(place(a), place(b))) return;
     const double cost = motion_.cost(place(a), place(b));
-    edges_[a].push_back({b, cost});
-    edges_[b].push_back({a, cost});
+    const double length = (place(a) - place(b)).norm();
+    edges_[a].push_back({b, cost, length, limit_.change(place(a), place(b), *motion_.risk)});
+    edges_[b].push_back({a, cost, length, limit_.change(place(b), place(a), *motion_.risk)});
   }
 
   const PlanarMotion& motion_;
+  ErrorLimit limit_;
   GridGeometry grid_;
   Eigen::Vector2d start_;
   Eigen::Vector2d goal_;
@@ -138,16 +148,46 @@ PlanarPath path_of(const Lattice& lattice, const std::vector<Label>& labels, std
   return path;
 }
 
-std::optional<PlanarPath> search(const Lattice& lattice, const PlanarMotion& motion, const ErrorLimit& limit) {
+// The error at the end of an edge; nullopt where the limit is broken on it.
+std::optional<double> error_after(const Lattice& lattice, std::size_t from, const Edge& edge, double error, const PlanarMotion& motion,
+                                  const ErrorLimit& limit) {
+  // Nowhere does it grow faster.
+  if (error + limit.model.growth * edge.length <= limit.most) return std::max(limit.model.least, edge.change.of(error));
+  return limit.after(error, lattice.place(from), lattice.place(edge.to), *motion.risk);
+}
+
+// The least error with which the robot can be at each place, whatever it costs; infinite where it cannot be within the limit.
+std::vector<double> surest_errors(const Lattice& lattice, const PlanarMotion& motion, const ErrorLimit& limit,
+                                  const std::stop_token& stop) {
+  constexpr double kWorthwhile = 1e-3;  // of the error: smaller improvements are not followed up
+  std::vector<double> surest(lattice.size(), kInfinite);
+  surest[lattice.start()] = limit.model.least;
+  Queue queue;
+  queue.push({limit.model.least, lattice.start()});
+  while (!queue.empty() && !stop.stop_requested()) {
+    const auto [error, node] = queue.top();
+    queue.pop();
+    if (error > surest[node]) continue;
+    for (const Edge& edge : lattice.edges(node)) {
+      const auto after = error_after(lattice, node, edge, error, motion, limit);
+      if (!after || !(*after < (1.0 - kWorthwhile) * surest[edge.to])) continue;
+      surest[edge.to] = *after;
+      queue.push({*after, edge.to});
+    }
+  }
+  return surest;
+}
+
+std::optional<PlanarPath> search(const Lattice& lattice, const PlanarMotion& motion, const ErrorLimit& limit, double alike,
+                                 const std::stop_token& stop) {
   const std::vector<double> to_go = costs_to_goal(lattice);
-  const double alike = limit.most / kErrorClasses;
   // Ways leave the queue in the order of their cost, so that one to a place where others were already is of use only if it is more sure.
   std::vector<double> surest(lattice.size(), kInfinite);
   const auto is_surer = [&](double error, std::size_t node) { return surest[node] == kInfinite || error < surest[node] - alike; };
   std::vector<Label> labels{{lattice.start(), 0, 0.0, limit.model.least}};
   Queue queue;
   queue.push({to_go[lattice.start()], 0});
-  while (!queue.empty()) {
+  while (!queue.empty() && !stop.stop_requested()) {
     const std::size_t number = queue.top().second;
     queue.pop();
     const Label label = labels[number];
@@ -156,7 +196,7 @@ std::optional<PlanarPath> search(const Lattice& lattice, const PlanarMotion& mot
     surest[label.node] = label.error;
     for (const Edge& edge : lattice.edges(label.node)) {
       if (to_go[edge.to] == kInfinite) continue;
-      const auto error = limit.after(label.error, lattice.place(label.node), lattice.place(edge.to), *motion.risk);
+      const auto error = error_after(lattice, label.node, edge, label.error, motion, limit);
       if (!error || !is_surer(*error, edge.to)) continue;
       labels.push_back({edge.to, number, label.cost + edge.cost, *error});
       queue.push({labels.back().cost + to_go[edge.to], labels.size() - 1});
@@ -198,14 +238,6 @@ PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const ErrorLimit& 
   return path;
 }
 
-std::optional<PlanarPath> lattice_path(const PlanarMotion& motion, const ErrorLimit& limit, const Eigen::Vector2d& start,
-                                       const Eigen::Vector2d& goal) {
-  for (const double spacing : kSpacings) {
-    if (auto path = search(Lattice(motion, spacing, start, goal), motion, limit)) return path;
-  }
-  return std::nullopt;
-}
-
 }  // namespace
 
 bool keeps(const PlanarPath& path, const PlanarMotion& motion, const ErrorLimit& limit) {
@@ -220,30 +252,36 @@ bool keeps(const PlanarPath& path, const PlanarMotion& motion, const ErrorLimit&
 }
 
 std::optional<PlanarPath> path_within(const PlanarMotion& motion, const ErrorLimit& limit, const Eigen::Vector2d& start,
-                                      const Eigen::Vector2d& goal) {
+                                      const Eigen::Vector2d& goal, const std::stop_token& stop) {
   if (limit.model.least > limit.most) return std::nullopt;
-  auto path = lattice_path(motion, limit, start, goal);
-  if (path) path = freed(std::move(*path), motion, limit);
-  return path;
+  for (const double spacing : kSpacings) {
+    const Lattice lattice(motion, limit.model, spacing, start, goal);
+    if (surest_errors(lattice, motion, limit, stop)[lattice.goal()] == kInfinite) continue;
+    for (const double share : kAlike) {
+      const auto path = search(lattice, motion, limit, share * limit.most, stop);
+      if (path) return freed(*path, motion, limit);
+    }
+  }
+  return std::nullopt;
 }
 
 std::optional<double> smallest_limit(const PlanarMotion& motion, const ErrorModel& model, const Eigen::Vector2d& start,
-                                     const Eigen::Vector2d& goal) {
-  const auto found = [&](double most) { return lattice_path(motion, {model, most}, start, goal); };
-  const auto any = found(kInfinite);
-  if (!any) return std::nullopt;
-  double enough = model.least;
-  double error = model.least;
-  for (std::size_t i = 1; i < any->size(); ++i) {
-    error = *ErrorLimit{model, kInfinite}.after(error, (*any)[i - 1], (*any)[i], *motion.risk);
-    enough = std::max(enough, error);
-  }
+                                     const Eigen::Vector2d& goal, const std::stop_token& stop) {
+  const Lattice lattice(motion, model, kSpacings[1], start, goal);
+  const auto does = [&](double most) { return surest_errors(lattice, motion, {model, most}, stop)[lattice.goal()] < kInfinite; };
+  // No way over places of the lattice is longer than all of them are apart from one another's neighbours.
+  const double most = model.least + model.growth * 3.0 * kSpacings[1] * static_cast<double>(lattice.size());
   double too_little = model.least;
-  while (enough > 1.02 * too_little && enough - too_little > 1e-3) {
-    const double middle = 0.5 * (enough + too_little);
-    (found(middle) ? enough : too_little) = middle;
+  double enough = std::max(2.0 * model.least, 1e-3);
+  for (; !does(enough); enough *= 2.0) {
+    if (enough > most || stop.stop_requested()) return std::nullopt;
+    too_little = enough;
   }
-  return enough;
+  while (enough - too_little > std::max(0.01 * enough, 1e-3)) {
+    const double middle = 0.5 * (enough + too_little);
+    (does(middle) ? enough : too_little) = middle;
+  }
+  return stop.stop_requested() ? std::nullopt : std::optional(enough);
 }
 
 }  // namespace alignability

@@ -168,6 +168,13 @@ std::future<double> least_along(const PlanQuery& query, const DrivableArea& area
   });
 }
 
+PlanResult interrupted(const PlanQuery& query) {
+  PlanResult result;
+  result.status = PlanStatus::interrupted;
+  result.query = query;
+  return result;
+}
+
 }  // namespace
 
 const char* to_string(PlanStatus status) {
@@ -228,7 +235,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   std::future<double> least = least_along(query, area, objective->bounds());
   const auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
-    result.status = PlanStatus::interrupted;
+    result = interrupted(result.query);
   } else {
     result.lower_bound = least.get() + least_turning(query);
   }
@@ -237,7 +244,8 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
     result.path = poses_of(*path, query);
     result.cost = path->cost(objective).value();
     result.figures = measure(result.path, *fields.risk);
-    if (fields.error_model) result = within_limit(std::move(result), *fields.error_model, area);
+    if (fields.error_model) result = within_limit(std::move(result), *fields.error_model, area, options.stop);
+    if (options.stop.stop_requested()) result = interrupted(result.query);
   }
   result.seconds = watch.seconds();
   return result;

@@ -29,6 +29,7 @@ std::vector<PlanResult> trade_off(const PlanQuery& query, const PlanningFields& 
       if (other.status != PlanStatus::solved || result.status == PlanStatus::interrupted) continue;
       if (result.status == PlanStatus::solved && cost >= result.cost) continue;
       result.status = PlanStatus::solved;
+      result.predicted_error = other.predicted_error;
       result.path = other.path;
       result.figures = other.figures;
       result.cost = cost;

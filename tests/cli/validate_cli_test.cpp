@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "costmap/alignability_map.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_site.hpp"
 
@@ -55,8 +56,14 @@ TEST_F(ValidateCli, DrivesPathsAndTellsHowFarOffTheLocalizerWas) {
 }
 
 TEST_F(ValidateCli, DrivesATourWithSeveralLocalizersAndDrawsTheErrors) {
-  const Words tour{"validate", "map", "driving.yaml", "--waypoints", "1.5,1.5", "6.5,1.5", "6.5,4.5", "1.5,4.5", "--laps", "1", "--runs", "2",
-                   "--localizer", "ndt_mcl_product,scan_matching", "-o", "tour"};
+  const Words tour{"validate",     "map",
+                   "driving.yaml", "--waypoints",
+                   "1.5,1.5",      "6.5,1.5",
+                   "6.5,4.5",      "1.5,4.5",
+                   "--laps",       "1",
+                   "--runs",       "2",
+                   "--localizer",  "ndt_mcl_product,scan_matching",
+                   "-o",           "tour"};
   const test::Outcome outcome = run(tour);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("rank correlation"));
@@ -98,8 +105,26 @@ TEST_F(ValidateCli, DrivesThePairsThatDifferMost) {
   EXPECT_EQ(read_json("pairs.json")["each"][0]["drive"][0]["runs"], 1);
 }
 
+// The room is rich all over: a map that says otherwise of one half gives the fit something to tell apart.
+void write_half_poor_map(const std::filesystem::path& name) {
+  AlignabilityMap map;
+  map.geometry = {.resolution = 1.0, .width = 8, .height = 6};
+  Grid<float> alpha(map.geometry, 0.6f);
+  for (int y = 0; y < 6; ++y) {
+    for (int x = 0; x < 4; ++x) alpha[Cell{x, y}] = 0.02f;
+  }
+  map.layers = {{"alpha", alpha}};
+  write_alignability_map(map, name);
+}
+
 TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
-  const test::Outcome outcome = run({"calibrate", "driving.yaml", "path.csv", "--held-out", "path.csv", "--runs", "2", "-o", "calibrated"});
+  write_half_poor_map(folder / "half");
+  folder.write("round.csv", "x,y\n1.5,1.5\n6.5,1.5\n6.5,4.5\n1.5,4.5\n1.5,1.5\n");
+  const Words calibrate{"calibrate", "driving.yaml", "round.csv", "--held-out", "path.csv", "--runs", "2", "-o", "calibrated"};
+  EXPECT_THAT(run(calibrate).err, HasSubstr("needs paths with at least 4 m of alignability up to 0.2")) << "there is none";
+  Words with_half = calibrate;
+  with_half.insert(with_half.end(), {"--alignability", "half.yaml"});
+  const test::Outcome outcome = run(with_half);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("held out"));
   const Words plan{"plan", "driving.yaml", "--alignability", "calibrated.yaml", "--json"};
@@ -115,8 +140,9 @@ TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
   EXPECT_GT(solved["predicted_error"], 0.0);
   const test::Outcome strict = planned("0.00001");
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_THAT(strict.err, HasSubstr("no path keeps the limits"));
+  EXPECT_THAT(strict.err, HasSubstr("no path was found that keeps the limit of the error"));
   EXPECT_EQ(json::parse(strict.out)["status"], "infeasible");
+  EXPECT_EQ(solved["options"]["risk"]["max_error"], 5.0);
   folder.write("drive.yaml", "odometry: {scale_bias: 0.01}\n");
   EXPECT_THAT(planned("5").err, HasSubstr("the error model was fitted for an odometry bias of 0.02, used for 0.01"));
   EXPECT_THAT(run({"plan", "driving.yaml", "--max-error", "1"}).err, HasSubstr("needs an alignability map with an error model"));
@@ -137,8 +163,12 @@ TEST_F(ValidateCli, SaysWhatIsMissingOrWrong) {
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "path.csv", "--moved", "2"}), StartsWith("alignability: --moved"));
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "path.csv", "--noise", "nan"}), StartsWith("alignability: --noise: must be"));
   EXPECT_THAT(fault({"validate", "path", "driving.yaml", "path.csv", "--localizer", "ndt"}), HasSubstr("no localizer 'ndt'"));
+  EXPECT_THAT(fault({"compare", "driving.yaml", "--localizer", "ndt_mcl_sum"}), HasSubstr("--drive"));
+  EXPECT_THAT(fault({"calibrate", "driving.yaml", "path.csv", "--localizer", "ndt_mcl_sum,scan_matching", "-o", "x"}),
+              HasSubstr("needs paths"));
   EXPECT_THAT(fault({"validate", "map", "driving.yaml", "--waypoints", "1,1,2"}), StartsWith("alignability: --waypoints: takes pairs"));
-  EXPECT_THAT(fault({"validate", "map", "driving.yaml", "--waypoints", "1.5,1.5,4,3"}), HasSubstr("no way from 1.5,1.5 to 4,3: goal_in_collision"));
+  EXPECT_THAT(fault({"validate", "map", "driving.yaml", "--waypoints", "1.5,1.5,4,3"}),
+              HasSubstr("no way from 1.5,1.5 to 4,3: goal_in_collision"));
 }
 
 }  // namespace

@@ -22,7 +22,7 @@ Drive drive_with(const std::vector<double>& errors) {
 // 10 × 5 m, free; a place at y = 2.5 has 0.5 to 2.5 m to the nearest end of the map.
 ClearanceMap open_field() { return ClearanceMap(OccupancyMap(Grid<float>({.resolution = 1.0, .width = 10, .height = 5}, 0.0f))); }
 
-PathErrors errors_of(const std::vector<Drive>& runs, double radius = 0.1) { return path_errors(runs, 0, open_field(), radius, {}); }
+PathErrors errors_of(const std::vector<Drive>& runs, double radius = 0.1) { return path_errors({&runs, 1}, 0, open_field(), radius, {}); }
 
 TEST(PathErrors, AreThoseOfHandWorkedRuns) {
   const PathErrors errors = errors_of({drive_with({0.0, 0.1, 0.2}), drive_with({0.0, 0.3, 0.6})});
