@@ -15,8 +15,8 @@
 
 #include "alignability/alignability.hpp"
 #include "core/distribution.hpp"
-#include "core/rank_correlation.hpp"
 #include "core/range.hpp"
+#include "core/rank_correlation.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
 #include "lidar/scene.hpp"
@@ -121,7 +121,8 @@ void print(const std::string& what, const std::vector<Row>& rows) {
               quantile_of(own, 1.0));
   std::printf("  native off PCL     median %.5f, 99 %% %.5f, max %.5f; within max(0.005, own) %.1f %%; Spearman %.5f\n",
               off(&Row::native, 0.5), off(&Row::native, 0.99), off(&Row::native, 1.0),
-              100.0 * static_cast<double>(within) / static_cast<double>(rows.size()), rank_correlation(alpha(&Row::native), alpha(&Row::pcl)));
+              100.0 * static_cast<double>(within) / static_cast<double>(rows.size()),
+              rank_correlation(alpha(&Row::native), alpha(&Row::pcl)));
   const Row& worst = std::ranges::max(rows, {}, [](const Row& row) { return std::abs(row.native.alpha - row.pcl.alpha); });
   std::printf("  most off           %s: PCL %.5f, native %.5f, PCL's own spread %.5f\n", worst.scan.c_str(), worst.pcl.alpha,
               worst.native.alpha, worst.own_spread);

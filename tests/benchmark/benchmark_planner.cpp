@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
-// benchmark_planner [--seeds N] [--longest SECONDS] [--shared FOLDER]: how many queries a second, and what paths cost after how long, as
-// Markdown. Run it where maps/ is. Sites whose maps are not in the folder, ../shared/data unless told, are left out.
+// benchmark_planner [--seeds N] [--longest SECONDS] [--shared FOLDER] [--only NAME] [--site TEXT]: how many queries a second, and what
+// paths cost after how long, as Markdown. Run it where maps/ is. Sites whose maps are not in the folder, ../shared/data unless told, are
+// left out.
 #include <ompl/geometric/planners/informedtrees/BITstar.h>
 #include <ompl/geometric/planners/prm/PRMstar.h>
 #include <ompl/geometric/planners/rrt/RRTstar.h>
@@ -32,6 +33,8 @@ struct Options {
   std::uint32_t seeds = 3;
   double longest = 10.0;  // [s]
   std::filesystem::path shared = "../shared/data";
+  std::string only;  // the contender that is run, instead of all
+  std::string site;  // what the names of the sites that it is run on have in them
 };
 
 struct Contender {
@@ -164,6 +167,7 @@ void print_costs(const Site& site, const Options& options) {
   std::vector<Result> results;
   for (const Contender& contender : contenders()) {
     if (site.problem.query.motion.space == MotionSpace::se2 && !contender.in_se2) continue;
+    if (!options.only.empty() && contender.name != options.only) continue;
     Result result{contender.name, {}};
     for (std::uint32_t seed = 1; seed <= (contender.repeats ? 1 : options.seeds); ++seed) {
       ompl::RNG::setSeed(seed);
@@ -175,6 +179,7 @@ void print_costs(const Site& site, const Options& options) {
     std::fflush(stdout);
     results.push_back(std::move(result));
   }
+  if (!options.only.empty()) return;
   print_first_solution(results, bound, options.longest);
   std::printf("\n");
   for (const char* parts : {"our parts", "our parts and bounds"}) {
@@ -260,8 +265,12 @@ Options read_options(int argc, char** argv) {
       options.longest = std::atof(value);
     } else if (name == "--shared" && *value != '\0') {
       options.shared = value;
+    } else if (name == "--only" && *value != '\0') {
+      options.only = value;
+    } else if (name == "--site" && *value != '\0') {
+      options.site = value;
     } else {
-      std::fprintf(stderr, "usage: benchmark_planner [--seeds N] [--longest SECONDS] [--shared FOLDER]\n");
+      std::fprintf(stderr, "usage: benchmark_planner [--seeds N] [--longest SECONDS] [--shared FOLDER] [--only NAME] [--site TEXT]\n");
       std::exit(2);
     }
   }
@@ -273,7 +282,8 @@ Options read_options(int argc, char** argv) {
 int main(int argc, char** argv) {
   ompl::msg::setLogLevel(ompl::msg::LOG_NONE);
   const Options options = read_options(argc, argv);
-  const std::vector<Site> all = sites(options);
+  std::vector<Site> all = sites(options);
+  std::erase_if(all, [&](const Site& site) { return site.name.find(options.site) == std::string::npos; });
   for (const Site& site : all) print_queries(site);
   for (const Site& site : all) print_costs(site, options);
 }

@@ -10,7 +10,7 @@
 namespace alignability::benchmark {
 
 /// The times [s] at which tables have columns.
-inline constexpr double kBudgets[] = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0};
+inline constexpr double kBudgets[] = {0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 60.0};
 
 /// What the path that a search would hand over costs, from when on; infinite where it has none, or one that collides.
 struct Sighting {
