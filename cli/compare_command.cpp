@@ -44,7 +44,9 @@ void write_paths(const PlanProblem& problem, const RiskField& risk, const Compar
              with_ending(name, ".png"));
 }
 
-DriveSite drive_site(const Options& options, const OccupancyMap& occupancy, const Interrupt& interrupt) {
+// Where paths are to be driven.
+std::optional<DriveSite> drive_site(const Options& options, const OccupancyMap& occupancy, const Interrupt& interrupt) {
+  if (!options.drives) return std::nullopt;
   return load_drive_site(problem_file(options.problem), options.problem.file, occupancy, options.drive, interrupt.token());
 }
 
@@ -58,6 +60,7 @@ std::set<double> all_weights(const Options& options, const PlanQuery& query) {
 }
 
 int compare_poses(const Options& options, const PlanProblem& problem, const PlanningFields& fields, const Interrupt& interrupt) {
+  const std::optional<DriveSite> site = drive_site(options, problem.occupancy, interrupt);
   const std::set<double> weights = all_weights(options, problem.query);
   const std::vector<PlanResult> curve =
       trade_off(problem.query, fields, std::vector<double>(weights.begin(), weights.end()), plan_options(interrupt));
@@ -66,9 +69,8 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
   if (interrupt.token().stop_requested()) throw Interrupted();
   Json summary = options.weights.empty() ? compare_json(comparison) : compare_json(comparison, curve);
   std::vector<DrivenComparison> driven;
-  if (options.drives && solved(comparison)) {
-    const DriveSite site = drive_site(options, problem.occupancy, interrupt);
-    driven = drive_comparisons({&comparison, 1}, site, *options.drives, *fields.clearance).front();
+  if (site && solved(comparison)) {
+    driven = drive_comparisons({&comparison, 1}, *site, *options.drives, *fields.clearance).front();
     summary["drive"] = drive_json(driven, *options.drives);
   }
   if (options.output) {
@@ -91,6 +93,7 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
 }
 
 int compare_random_pairs(const Options& options, const PlanProblem& problem, const PlanningFields& fields, const Interrupt& interrupt) {
+  const std::optional<DriveSite> site = drive_site(options, problem.occupancy, interrupt);
   std::vector<Comparison> pairs;
   {
     ProgressBar bar("pairs");
@@ -101,10 +104,10 @@ int compare_random_pairs(const Options& options, const PlanProblem& problem, con
   Json summary = pairs_json(pairs);
   const std::vector<std::size_t> chosen = most_different(pairs, options.drives ? kDrivenPairs : 0);
   std::vector<std::vector<DrivenComparison>> driven;
-  if (options.drives) {
+  if (site) {
     std::vector<Comparison> different;
     for (const std::size_t number : chosen) different.push_back(pairs[number]);
-    driven = drive_comparisons(different, drive_site(options, problem.occupancy, interrupt), *options.drives, *fields.clearance);
+    driven = drive_comparisons(different, *site, *options.drives, *fields.clearance);
     for (std::size_t i = 0; i < chosen.size(); ++i) summary["each"][chosen[i]]["drive"] = drive_json(driven[i], *options.drives);
   }
   if (options.output) {
