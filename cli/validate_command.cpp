@@ -68,9 +68,11 @@ int run(const Options& options) {
   const ProblemFile file = problem_file(options.problem);
   const PlanProblem problem = load_problem(file);
   const PlanningFields fields(problem);
-  std::vector<DrivenPath> paths = options.paths.empty()
-                                      ? std::vector{DrivenPath{"tour", tour(options, problem.query, fields, interrupt.token()), {}}}
-                                      : read_paths(options.paths);
+  std::vector<DrivenPath> paths = read_paths(options.paths);
+  if (paths.empty()) {
+    std::vector<Pose2> way = tour(options, problem.query, fields, interrupt.token());
+    paths.push_back({"tour", std::move(way), {}});
+  }
   warn_of_collisions(paths, *fields.clearance, inscribed_radius(problem.query.robot));
   const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());
   TrialOptions trials = site.trials;
