@@ -35,12 +35,6 @@ Json check_json(const DrivenPath& path, bool held_out, const std::optional<Error
           {"covered", check ? Json(check->covered) : Json(nullptr)}};
 }
 
-void refuse_unless_it_can_be_fitted(std::span<const DrivenPath> paths, const RiskField& risk) {
-  std::vector<std::vector<Pose2>> ways;
-  for (const DrivenPath& path : paths) ways.push_back(path.path);
-  if (const auto refusal = refusal_of_fit(ways, risk)) throw std::invalid_argument(*refusal);
-}
-
 void print_summary(const Json& summary) {
   const Json& model = summary["model"];
   std::printf(
@@ -66,7 +60,7 @@ int run(const Options& options) {
   const PlanProblem problem = load_problem(file);
   const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
   std::vector<DrivenPath> paths = read_paths(options.paths);
-  refuse_unless_it_can_be_fitted(paths, risk);
+  if (const auto refusal = refusal_of_fit(paths, risk)) throw std::invalid_argument(*refusal);
   for (DrivenPath& path : read_paths(options.held_out)) paths.push_back(std::move(path));
   warn_of_collisions(paths, ClearanceMap(problem.occupancy), inscribed_radius(problem.query.robot));
   const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());

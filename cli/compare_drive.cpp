@@ -5,31 +5,30 @@
 #include <cstdio>
 
 #include "cli/compare_output.hpp"
-#include "cli/progress_bar.hpp"
+#include "cli/drive_paths.hpp"
 #include "cli/validate_output.hpp"
 
 namespace alignability::cli {
+
 std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Comparison> comparisons, const DriveSite& site, int runs,
                                                              const ClearanceMap& clearance) {
-  std::vector<std::vector<Pose2>> paths;
+  std::vector<DrivenPath> paths;
   for (const Comparison& comparison : comparisons) {
-    paths.push_back(comparison.shortest.path);
-    paths.push_back(comparison.risk_aware.path);
+    paths.push_back({"shortest", comparison.shortest.path, {}});
+    paths.push_back({"risk-aware", comparison.risk_aware.path, {}});
   }
   TrialOptions trials = site.trials;
   trials.runs = runs;
-  ProgressBar bar("drives");
-  trials.progress = bar.callback();
-  const std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, paths, trials);
-  std::vector<std::vector<DrivenComparison>> driven(comparisons.size());
+  paths = driven(std::move(paths), site, trials);
+  std::vector<std::vector<DrivenComparison>> compared(comparisons.size());
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const double radius = circumscribed_radius(comparisons[i].shortest.query.robot);
     for (std::size_t k = 0; k < trials.drive.localizers.size(); ++k) {
-      driven[i].push_back({trials.drive.localizers[k], path_errors({&drives[2 * i], 1}, k, clearance, radius, {}),
-                           path_errors({&drives[2 * i + 1], 1}, k, clearance, radius, {})});
+      compared[i].push_back({trials.drive.localizers[k], path_errors({&paths[2 * i].runs, 1}, k, clearance, radius, {}),
+                             path_errors({&paths[2 * i + 1].runs, 1}, k, clearance, radius, {})});
     }
   }
-  return driven;
+  return compared;
 }
 
 std::vector<std::size_t> most_different(std::span<const Comparison> pairs, std::size_t count) {

@@ -116,10 +116,10 @@ Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, con
           .scale_bias = drive.odometry.scale_bias};
 }
 
-std::optional<std::string> refusal_of_fit(std::span<const std::vector<Pose2>> paths, const RiskField& risk) {
+std::optional<std::string> refusal_of_fit(std::span<const DrivenPath> paths, const RiskField& risk) {
   std::vector<double> alphas;
-  for (const std::vector<Pose2>& path : paths) {
-    for (const TimedPose& at : poses_along(path, {}, kStep)) {
+  for (const DrivenPath& path : paths) {
+    for (const TimedPose& at : poses_along(path.path, {.speed = 1.0}, kStep)) {
       if (at.s >= kSettling) alphas.push_back(risk.alpha(at.pose.x, at.pose.y, at.pose.yaw));
     }
   }
@@ -128,9 +128,7 @@ std::optional<std::string> refusal_of_fit(std::span<const std::vector<Pose2>> pa
 }
 
 ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
-  std::vector<std::vector<Pose2>> ways;
-  for (const DrivenPath& path : paths) ways.push_back(path.path);
-  if (const auto refusal = refusal_of_fit(ways, risk)) throw std::invalid_argument(*refusal);
+  if (const auto refusal = refusal_of_fit(paths, risk)) throw std::invalid_argument(*refusal);
   std::vector<Stations> all;
   std::vector<double> alphas;
   for (const DrivenPath& path : paths) {
@@ -147,6 +145,8 @@ ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t locali
       if (fit.squares < best.squares) best = fit;
     }
   }
+  if (!std::isfinite(best.squares))
+    throw std::invalid_argument("the drives tell too little of poor or of rich places to fit an error model");
   return best.model;
 }
 

@@ -18,7 +18,7 @@ Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, con
 
 /// Why no model can be fitted to paths: they must lead over at least four metres with α of at most 0.2 and four of at least 0.3, beyond the
 /// first two of each path, or nothing is known of growth or of recovery. nullopt where it can.
-std::optional<std::string> refusal_of_fit(std::span<const std::vector<Pose2>> paths, const RiskField& risk);
+std::optional<std::string> refusal_of_fit(std::span<const DrivenPath> paths, const RiskField& risk);
 
 /// The model, but for its calibration, that is nearest by least squares to the 95th percentiles of the error over the runs of some paths,
 /// every half metre after the first two. α is that of `risk`. Of alpha_poor and alpha_rich it takes the best of a few of which the paths
