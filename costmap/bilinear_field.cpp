@@ -37,4 +37,30 @@ double BilinearField::integral(const Eigen::Vector2d& from, const Eigen::Vector2
   return (to - from).norm() * mean;
 }
 
+double BilinearField::integral(const Arc& arc) const {
+  double sum = 0.0;
+  visit(arc, [&](const BilinearAlongArc& piece) { sum += piece.length * piece.mean(); });
+  return sum;
+}
+
+BilinearAlongArc BilinearField::along(const Arc& arc, Cell patch, double begin, double end) const {
+  const Pose2 middle = arc.at(0.5 * (begin + end) * arc.length());
+  const double sense = std::copysign(1.0, arc.travel);
+  const Corners corner = corners_of(patch);
+  const GridGeometry& grid = nodes_.geometry();
+  const Cell low{std::max(patch.x, 0), std::max(patch.y, 0)};
+  const Eigen::Array2d at = ((middle.position() - grid.center(low)) / grid.resolution).array().cwiseMax(0.0).cwiseMin(1.0);
+  const double right = corner.low_right - corner.low_left;
+  const double up = corner.high_left - corner.low_left;
+  const double twist = corner.low_left - corner.low_right - corner.high_left + corner.high_right;
+  BilinearAlongArc along;
+  along.length = (end - begin) * arc.length();
+  along.curvature = sense * arc.curvature;
+  along.direction = sense * Eigen::Vector2d(std::cos(middle.yaw), std::sin(middle.yaw));
+  along.value = in_patch(patch, middle.position());
+  along.gradient = Eigen::Vector2d(right + at.y() * twist, up + at.x() * twist) / grid.resolution;
+  along.twist = twist / (grid.resolution * grid.resolution);
+  return along;
+}
+
 }  // namespace alignability

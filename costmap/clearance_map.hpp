@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/arc.hpp"
 #include "costmap/grid.hpp"
 #include "costmap/occupancy_map.hpp"
 
@@ -26,6 +27,10 @@ class ClearanceMap {
   /// Whether a disk fits at every point of the segment, exactly: no sampling. O(length / clearance), at worst O(length · radius² /
   /// resolution³).
   bool is_clear(const Eigen::Vector2d& from, const Eigen::Vector2d& to, double radius) const;
+
+  /// Whether a disk fits at every point of the arc: refused where it comes nearer than a thousandth of a cell, never allowed where it does
+  /// not fit. Chords, their disks grown by the bulge, halved until that tells.
+  bool is_clear(const Arc& arc, double radius) const;
 
   /// Whether the convex hull of some points, grown by `margin` [m] along both axes, lies on free cells alone; brushing others by less
   /// than a billionth of a cell is allowed. O(cells covered · points²).

@@ -51,4 +51,12 @@ bool RiskField::is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& 
   return drivable;
 }
 
+bool RiskField::is_drivable(const Arc& arc) const {
+  if (!is_drivable(arc.start.position()) || !is_drivable(arc.end().position())) return false;
+  if (options_.unknown != UnknownPolicy::blocked || arc.travel == 0.0) return true;
+  bool drivable = true;
+  detail::traverse(alpha_.nodes().geometry(), arc, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  return drivable;
+}
+
 }  // namespace alignability

@@ -35,13 +35,16 @@ class RiskField {
   double risk(double x, double y, double yaw) const;
   /// ∫ risk ds [m] along the straight segment between two poses; exact, the same to the bit in either direction.
   double integral(const Pose2& from, const Pose2& to) const { return risk_.integral(from.position(), to.position()); }
+  /// The same along an arc, to 1e-9 of its length.
+  double integral(const Arc& arc) const { return risk_.integral(arc); }
   /// NaN where a cell without a value has a part in it.
   double alpha(double x, double y, double yaw) const;
   /// Whether α is below alpha_critical, or unknown under a policy that takes the unknown for risky.
   bool is_blind(double alpha) const;
-  /// Whether the policy lets the robot's centre be there, and at every point of the segment.
+  /// Whether the policy lets the robot's centre be there, and at every point of the segment or arc.
   bool is_drivable(const Eigen::Vector2d& point) const;
   bool is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  bool is_drivable(const Arc& arc) const;
 
   const BilinearField& risk_layer() const { return risk_; }
   const BilinearField& alpha_layer() const { return alpha_; }
