@@ -25,6 +25,13 @@ Json distribution_json(const std::vector<double>& values) {
   return {{"mean", number(d.mean)}, {"min", number(d.min)}, {"median", number(d.median)}, {"p95", number(d.p95)}, {"max", number(d.max)}};
 }
 
+Json motion_json(const Motion& motion) {
+  Json json{{"space", to_string(motion.space)}, {"turn_cost", motion.turn_cost}};
+  if (is_curved(motion.space)) json["turning_radius"] = motion.turning_radius;
+  if (motion.space == MotionSpace::reeds_shepp) json["reverse_penalty"] = motion.reverse_penalty;
+  return json;
+}
+
 Json options_json(const PlanQuery& query) {
   const char* const policy = query.risk.unknown == UnknownPolicy::risky     ? "risky"
                              : query.risk.unknown == UnknownPolicy::neutral ? "neutral"
@@ -44,7 +51,7 @@ Json options_json(const PlanQuery& query) {
   Json risk{{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}};
   if (query.max_error) risk["max_error"] = *query.max_error;
   return {{"robot", robot},
-          {"motion", {{"space", query.motion.space == MotionSpace::r2 ? "r2" : "se2"}, {"turn_cost", query.motion.turn_cost}}},
+          {"motion", motion_json(query.motion)},
           {"start", pose(query.start)},
           {"goal", pose(query.goal)},
           {"goal_tolerance", {{"position", query.goal_tolerance.position}, {"heading_deg", degrees(query.goal_tolerance.heading)}}},

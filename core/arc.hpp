@@ -7,6 +7,10 @@ namespace alignability {
 
 /// A motion of `base_link` on a circle or straight on, forward or backward, its heading along the way.
 struct Arc {
+  Arc() = default;
+  // No aggregate: three numbers make a pose, and no arc.
+  Arc(const Pose2& from, double its_curvature, double its_travel) : start(from), curvature(its_curvature), travel(its_travel) {}
+
   Pose2 start;
   double curvature = 0.0;  ///< of the circle, to the left positive [1/m]; 0 is straight
   double travel = 0.0;     ///< [m]; backward negative

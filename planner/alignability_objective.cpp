@@ -15,16 +15,19 @@ namespace ob = ompl::base;
 
 AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
                                              const ObjectiveOptions& options)
-    : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()), MotionShape::straight) {
+    : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()),
+                            Steering::serves(*si->getStateSpace()) ? MotionShape::curved : MotionShape::straight) {
   in_plain_space_ = true;
 }
 
 AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
                                              const ObjectiveOptions& options, StateProjection projection, MotionShape shape)
     : ob::OptimizationObjective(si), risk_(std::move(risk)), options_(options), projection_(std::move(projection)), shape_(shape) {
-  if (!kNotNegative.contains(options.weight) || !kNotNegative.contains(options.turn_cost)) {
-    throw ompl::Exception("AlignabilityObjective", "weight and turn_cost must be at least 0");
+  for (const double cost : {options.weight, options.turn_cost, options.reverse_penalty}) {
+    if (!kNotNegative.contains(cost))
+      throw ompl::Exception("AlignabilityObjective", "weight, turn_cost, reverse_penalty must be at least 0");
   }
+  if (shape == MotionShape::curved) steering_.emplace(si->getStateSpace());
   description_ = "Alignability";
   setCostToGoHeuristic([this](const ob::State* state, const ob::Goal* goal) { return least_to_go(state, goal); });
 }
@@ -37,7 +40,15 @@ ob::Cost AlignabilityObjective::stateCost(const ob::State* state) const {
 }
 
 ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::State* to) const {
-  return ob::Cost(shape_ == MotionShape::straight ? straight_cost(projection_(from), projection_(to)) : interpolated_cost(from, to));
+  switch (shape_) {
+    case MotionShape::straight:
+      return ob::Cost(straight_cost(projection_(from), projection_(to)));
+    case MotionShape::curved:
+      return ob::Cost(cost_of(steering_->word(projection_(from), projection_(to))));
+    case MotionShape::interpolated:
+      return ob::Cost(interpolated_cost(from, to));
+  }
+  return infiniteCost();
 }
 
 ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const ob::State* to) const {
@@ -47,8 +58,21 @@ ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const
   return ob::Cost((bounds_ ? std::max(straight, bounds_->between(a.position(), b.position())) : straight) + turning(a, b));
 }
 
+// The way back along a curve may be another: of two words as short, OMPL takes the first that it comes upon.
 bool AlignabilityObjective::isSymmetric() const {
-  return shape_ == MotionShape::straight || si_->getStateSpace()->hasSymmetricInterpolate();
+  return shape_ == MotionShape::straight || (shape_ == MotionShape::interpolated && si_->getStateSpace()->hasSymmetricInterpolate());
+}
+
+double AlignabilityObjective::cost_of(const Curve& curve) const {
+  double cost = 0.0;
+  for (const Arc& arc : curve.arcs()) cost += cost_of(arc);
+  return cost;
+}
+
+double AlignabilityObjective::cost_of(const Arc& arc) const {
+  const double backward = std::max(0.0, -arc.travel);
+  return arc.length() + options_.weight * risk_->integral(arc) + options_.turn_cost * std::abs(arc.turn()) +
+         options_.reverse_penalty * backward;
 }
 
 ob::InformedSamplerPtr AlignabilityObjective::allocInformedStateSampler(const ob::ProblemDefinitionPtr& problem,

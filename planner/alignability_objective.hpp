@@ -4,32 +4,36 @@
 #include <ompl/base/OptimizationObjective.h>
 
 #include <memory>
+#include <optional>
 
 #include "costmap/risk_field.hpp"
 #include "planner/route_bounds.hpp"
 #include "planner/state_projection.hpp"
+#include "planner/steering.hpp"
 
 namespace alignability {
 
 /// How `base_link` moves between two states that a planner joins.
 enum class MotionShape {
   straight,      ///< straight in the plane, as in R² and SE(2): integrated in closed form
+  curved,        ///< as a car, in Dubins and Reeds-Shepp spaces: along the true curves, in closed form
   interpolated,  ///< as the state space interpolates: integrated along chords as long as the space's valid segments
 };
 
 struct ObjectiveOptions {
-  double weight = 5.0;     ///< w >= 0; 0 is the shortest path
-  double turn_cost = 0.2;  ///< >= 0 [m/rad]
+  double weight = 5.0;           ///< w >= 0; 0 is the shortest path
+  double turn_cost = 0.2;        ///< >= 0 [m/rad]
+  double reverse_penalty = 1.0;  ///< >= 0; what a metre costs more when driven backward, of curved motions alone
 };
 
-/// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw|. Heuristics are its lower bounds: length and turning, or
-/// what set_bounds gives. Additive under splitting, finite everywhere, symmetric for straight motions. Const and without mutable
-/// state: one objective serves many threads.
+/// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw| + reverse_penalty·(length driven backward). Heuristics
+/// are its lower bounds: length and turning, or what set_bounds gives. Additive under splitting, finite everywhere, symmetric for straight
+/// motions. Const and without mutable state: one objective serves many threads.
 class AlignabilityObjective : public ompl::base::OptimizationObjective {
  public:
-  /// In R² or SE(2). Throws ompl::Exception in other spaces and for options out of range.
+  /// In R², SE(2), Dubins and Reeds-Shepp spaces. Throws ompl::Exception in other spaces and for options out of range.
   AlignabilityObjective(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk, const ObjectiveOptions& options);
-  /// In any space, by a projection.
+  /// In any space, by a projection; `curved` in Dubins and Reeds-Shepp spaces alone.
   AlignabilityObjective(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk, const ObjectiveOptions& options,
                         StateProjection projection, MotionShape shape);
 
@@ -39,8 +43,8 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   /// The straight way's length or, with bounds, what they say of the two places, and turning: admissible, consistent, symmetric.
   ompl::base::Cost motionCostHeuristic(const ompl::base::State* from, const ompl::base::State* to) const override;
   bool isSymmetric() const override;
-  /// In R² and SE(2): with bounds an InformedFieldSampler, with a PoseGoal an EllipseSampler; else OMPL's, which draws from the whole space
-  /// and rejects.
+  /// In spaces with a projection of their own: with bounds an InformedFieldSampler, with a PoseGoal an EllipseSampler; else OMPL's, which
+  /// draws from the whole space and rejects.
   ompl::base::InformedSamplerPtr allocInformedStateSampler(const ompl::base::ProblemDefinitionPtr& problem,
                                                            unsigned int largest_number_of_calls) const override;
 
@@ -53,6 +57,11 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   const ObjectiveOptions& options() const { return options_; }
   const RiskField& risk_field() const { return *risk_; }
   Pose2 pose_of(const ompl::base::State* state) const { return projection_(state); }
+  /// J of a car's motion.
+  double cost_of(const Curve& curve) const;
+  double cost_of(const Arc& arc) const;
+  /// What joins two poses; nullptr but for curved motions.
+  const Steering* steering() const { return steering_ ? &*steering_ : nullptr; }
 
  private:
   double straight_cost(const Pose2& from, const Pose2& to) const;
@@ -66,7 +75,8 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   ObjectiveOptions options_;
   StateProjection projection_;
   MotionShape shape_;
-  bool in_plain_space_ = false;  // R² or SE(2) with its own projection
+  std::optional<Steering> steering_;  // of curved motions
+  bool in_plain_space_ = false;       // with a projection of its own
 };
 
 }  // namespace alignability

@@ -6,6 +6,22 @@
 namespace alignability {
 namespace ob = ompl::base;
 
+namespace {
+
+// The share of a motion, to a billionth, up to which it is valid.
+template <typename IsValidUntil>
+double greatest_valid(IsValidUntil is_valid_until) {
+  double valid = 0.0;
+  double invalid = 1.0;
+  while (invalid - valid > 1e-9) {
+    const double middle = 0.5 * (valid + invalid);
+    (is_valid_until(middle) ? valid : invalid) = middle;
+  }
+  return valid;
+}
+
+}  // namespace
+
 DrivabilityChecker::DrivabilityChecker(const ob::SpaceInformationPtr& si, DrivableArea area)
     : DrivabilityChecker(si, std::move(area), projection_of(si->getStateSpace())) {}
 
@@ -29,16 +45,31 @@ bool DrivabilityMotionValidator::checkMotion(const ob::State* from, const ob::St
   if (checkMotion(from, to)) return true;
   const Pose2 a = projection_(from);
   const Pose2 b = projection_(to);
-  const auto clear_until = [&](double share) { return area_.contains(a, between(a, b, share)); };
-  double valid = 0.0;
-  double invalid = 1.0;
-  while (invalid - valid > 1e-9) {
-    const double middle = 0.5 * (valid + invalid);
-    (clear_until(middle) ? valid : invalid) = middle;
-  }
-  last_valid.second = valid;
-  if (last_valid.first != nullptr) si_->getStateSpace()->interpolate(from, to, valid, last_valid.first);
+  last_valid.second = greatest_valid([&](double share) { return area_.contains(a, between(a, b, share)); });
+  if (last_valid.first != nullptr) si_->getStateSpace()->interpolate(from, to, last_valid.second, last_valid.first);
   return false;
+}
+
+CurveMotionValidator::CurveMotionValidator(const ob::SpaceInformationPtr& si, DrivableArea area)
+    : ob::MotionValidator(si), area_(std::move(area)), projection_(projection_of(si->getStateSpace())), steering_(si->getStateSpace()) {}
+
+bool CurveMotionValidator::checkMotion(const ob::State* from, const ob::State* to) const {
+  if (!si_->satisfiesBounds(to)) return false;
+  const auto curve = steering_(projection_(from), projection_(to));
+  return curve && area_.contains(*curve);
+}
+
+bool CurveMotionValidator::checkMotion(const ob::State* from, const ob::State* to, std::pair<ob::State*, double>& last_valid) const {
+  if (checkMotion(from, to)) return true;
+  const Curve curve = steering_.word(projection_(from), projection_(to));
+  last_valid.second = greatest_valid([&](double share) { return area_.contains(curve.until(share * curve.length())); });
+  if (last_valid.first != nullptr) si_->getStateSpace()->interpolate(from, to, last_valid.second, last_valid.first);
+  return false;
+}
+
+ob::MotionValidatorPtr motion_validator_for(const ob::SpaceInformationPtr& si, const DrivableArea& area) {
+  if (Steering::serves(*si->getStateSpace())) return std::make_shared<CurveMotionValidator>(si, area);
+  return std::make_shared<DrivabilityMotionValidator>(si, area);
 }
 
 }  // namespace alignability

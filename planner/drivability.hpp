@@ -6,13 +6,14 @@
 
 #include "planner/drivable_area.hpp"
 #include "planner/state_projection.hpp"
+#include "planner/steering.hpp"
 
 namespace alignability {
 
 /// A state is valid within the bounds of its space and where the drivable area contains its pose. Const, without mutable state.
 class DrivabilityChecker : public ompl::base::StateValidityChecker {
  public:
-  /// In R² or SE(2).
+  /// In R², SE(2), Dubins and Reeds-Shepp spaces.
   DrivabilityChecker(const ompl::base::SpaceInformationPtr& si, DrivableArea area);
   DrivabilityChecker(const ompl::base::SpaceInformationPtr& si, DrivableArea area, StateProjection projection);
 
@@ -41,5 +42,25 @@ class DrivabilityMotionValidator : public ompl::base::MotionValidator {
   DrivableArea area_;
   StateProjection projection_;
 };
+
+/// Checks a car's motions along their true curves, in Dubins and Reeds-Shepp spaces; counts nothing. A motion for which OMPL has no curve
+/// that ends where it should is not valid.
+class CurveMotionValidator : public ompl::base::MotionValidator {
+ public:
+  CurveMotionValidator(const ompl::base::SpaceInformationPtr& si, DrivableArea area);
+
+  bool checkMotion(const ompl::base::State* from, const ompl::base::State* to) const override;
+  /// `last_valid` is found to a billionth of the motion.
+  bool checkMotion(const ompl::base::State* from, const ompl::base::State* to,
+                   std::pair<ompl::base::State*, double>& last_valid) const override;
+
+ private:
+  DrivableArea area_;
+  StateProjection projection_;
+  Steering steering_;
+};
+
+/// The validator that fits the space: one of these two.
+ompl::base::MotionValidatorPtr motion_validator_for(const ompl::base::SpaceInformationPtr& si, const DrivableArea& area);
 
 }  // namespace alignability

@@ -2,6 +2,7 @@
 #include "planner/drivable_area.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <numbers>
 #include <stdexcept>
 #include <vector>
@@ -41,6 +42,16 @@ bool DrivableArea::contains(const Pose2& from, const Pose2& to) const {
   const Eigen::Vector2d b = to.position();
   if (!clearance_->is_clear(a, b, inscribed_radius_) || !risk_->is_drivable(a, b)) return false;
   return !sweep_ || clearance_->is_clear(a, b, circumscribed_radius_) || sweep_->is_clear(from, to);
+}
+
+bool DrivableArea::contains(const Arc& arc) const {
+  if (!clearance_->is_clear(arc, inscribed_radius_) || !risk_->is_drivable(arc)) return false;
+  return !sweep_ || clearance_->is_clear(arc, circumscribed_radius_) || sweep_->is_clear(arc);
+}
+
+bool DrivableArea::contains(const Curve& curve) const {
+  if (curve.arcs().empty()) return contains(curve.start());
+  return std::ranges::all_of(curve.arcs(), [&](const Arc& arc) { return contains(arc); });
 }
 
 double DrivableArea::clearance(const Pose2& pose) const {

@@ -6,6 +6,7 @@
 
 #include "costmap/clearance_map.hpp"
 #include "costmap/risk_field.hpp"
+#include "planner/curve.hpp"
 #include "planner/footprint_sweep.hpp"
 #include "planner/robot.hpp"
 
@@ -22,6 +23,10 @@ class DrivableArea {
   /// Whether it contains every pose on the straight way, on which the robot turns evenly the shorter way around (a disk may turn as it
   /// likes). No sampling: a wall of one thin cell is never passed.
   bool contains(const Pose2& from, const Pose2& to) const;
+  /// Whether it contains every pose on the arc or curve itself: refused where the robot comes nearer to an obstacle than a thousandth of a
+  /// cell, never allowed where it collides.
+  bool contains(const Arc& arc) const;
+  bool contains(const Curve& curve) const;
   /// [m] between the robot's edge and the nearest obstacle; in collision 0, of a disk negative.
   double clearance(const Pose2& pose) const;
   /// False only if no path leads from one to within `tolerance` [m] of the other: a proof, by flooding every cell in which some

@@ -5,6 +5,8 @@
 #include <ompl/util/Exception.h>
 
 #include "planner/alignability_objective.hpp"
+#include "planner/car_refinement.hpp"
+#include "planner/car_search.hpp"
 #include "planner/drivability.hpp"
 #include "planner/heading_search.hpp"
 #include "planner/planners.hpp"
@@ -71,6 +73,18 @@ PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformatio
   return path->check() ? path : nullptr;
 }
 
+// nullptr where the search finds none.
+PathPtr path_of_car(const CarTask& task, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
+  const auto stop = [&until] { return until.eval(); };
+  const auto lattice = std::make_shared<const CostLattice>(*task.area.risk_field(), *task.area.clearance_map(),
+                                                           task.objective.options().weight, task.area.inscribed_radius());
+  const CostBound to_go(lattice, task.goal.position(), 0.0);
+  auto poses = search_car_path(task, to_go, stop);
+  if (!poses) return nullptr;
+  const PathPtr path = as_states(refined(std::move(*poses), task, stop), si);
+  return path->check() ? path : nullptr;
+}
+
 const DrivabilityChecker* checker_of(const ob::SpaceInformationPtr& si) {
   return dynamic_cast<const DrivabilityChecker*>(si->getStateValidityChecker().get());
 }
@@ -106,7 +120,15 @@ ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& unt
   const ob::OptimizationObjectivePtr& shared = pdef_->getOptimizationObjective();
   const Task task{checker_of(si_)->area(), objective, objective.pose_of(start), objective.pose_of(goal),
                   region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance()};
-  for (const double radius : radii(task.area)) {
+  if (objective.steering() != nullptr) {
+    path_ = path_of_car({task.area, objective, task.start, task.goal, task.tolerance}, si_, until);
+    if (!path_ && until) {
+      // The search was cut short: the next call begins it anew.
+      pis_.restart();
+      return ob::PlannerStatus::TIMEOUT;
+    }
+  }
+  for (const double radius : objective.steering() != nullptr ? std::vector<double>{} : radii(task.area)) {
     if (until) break;
     const PathPtr path = path_for_disk(task, radius, si_);
     if (path && (!path_ || path->cost(shared).value() < path_->cost(shared).value())) path_ = path;

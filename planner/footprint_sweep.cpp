@@ -8,6 +8,8 @@
 namespace alignability {
 namespace {
 
+constexpr double kFinest = 1e-3;  // [cells]
+
 Eigen::Isometry2d T_map_base(const Pose2& pose) { return Eigen::Translation2d(pose.position()) * Eigen::Rotation2Dd(pose.yaw); }
 
 }  // namespace
@@ -29,7 +31,6 @@ bool FootprintSweep::is_clear(const Pose2& pose) const { return edges_are_clear(
 bool FootprintSweep::is_clear(const Pose2& from, const Pose2& to) const { return is_clear(from) && edges_sweep_clear(from, to); }
 
 bool FootprintSweep::edges_sweep_clear(const Pose2& from, const Pose2& to) const {
-  constexpr double kFinest = 1e-3;  // [cells]
   if (map_->is_clear(from.position(), to.position(), reach_) || edges_are_clear(from, to)) return true;
   const double turned = std::abs(normalized_angle(to.yaw - from.yaw));
   // What a hull of an edge's four ends has too much: the bulge, and a quarter of what the edge twists by on its way.
@@ -48,6 +49,34 @@ bool FootprintSweep::edges_are_clear(const Pose2& from, const Pose2& to) const {
   return std::ranges::all_of(edges_, [&](const Edge& edge) {
     const std::array<Eigen::Vector2d, 4> hull{begin * edge.from, begin * edge.to, end * edge.from, end * edge.to};
     return map_->is_clear(hull, edge.reach * turned * turned / 8.0);
+  });
+}
+
+bool FootprintSweep::is_clear(const Arc& arc) const {
+  if (arc.curvature == 0.0) return is_clear(arc.start, arc.end());
+  return is_clear(arc.start) && edges_sweep_clear(arc);
+}
+
+bool FootprintSweep::edges_sweep_clear(const Arc& arc) const {
+  if (map_->is_clear(arc.start.position(), arc.end().position(), reach_ + arc.bulge()) || edges_are_clear(arc)) return true;
+  const double turned = std::abs(arc.turn());
+  const double excess = (reach_ + 1.0 / std::abs(arc.curvature)) * turned * turned / 8.0 + longest_edge_ * turned / 4.0;
+  if (excess <= kFinest * map_->geometry().resolution) return false;
+  const double middle = 0.5 * arc.length();
+  const Pose2 halfway = arc.at(middle);
+  return edges_are_clear(halfway, halfway) && edges_sweep_clear(arc.piece(0.0, middle)) &&
+         edges_sweep_clear(arc.piece(middle, arc.length()));
+}
+
+// As where it moves straight: every point turns about the arc's centre, along an arc about that.
+bool FootprintSweep::edges_are_clear(const Arc& arc) const {
+  const Eigen::Isometry2d begin = T_map_base(arc.start);
+  const Eigen::Isometry2d end = T_map_base(arc.end());
+  const Eigen::Vector2d center(0.0, 1.0 / arc.curvature);
+  return std::ranges::all_of(edges_, [&](const Edge& edge) {
+    const std::array<Eigen::Vector2d, 4> hull{begin * edge.from, begin * edge.to, end * edge.from, end * edge.to};
+    const double farthest = std::max((edge.from - center).norm(), (edge.to - center).norm());
+    return map_->is_clear(hull, farthest * arc.turn() * arc.turn() / 8.0);
   });
 }
 

@@ -4,6 +4,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/arc.hpp"
 #include "core/pose.hpp"
 #include "costmap/clearance_map.hpp"
 
@@ -20,6 +21,8 @@ class FootprintSweep {
   /// Whether it does all along the straight way, on which it turns evenly the shorter way around. No sampling: exact for a motion
   /// without turning; one that turns is refused where it comes nearer than a thousandth of a cell, never allowed where it collides.
   bool is_clear(const Pose2& from, const Pose2& to) const;
+  /// Whether it does all along an arc, likewise.
+  bool is_clear(const Arc& arc) const;
 
   /// The least distance [m] from the outline to a cell that is not free, to a billionth of a cell; 0 where it collides.
   double clearance(const Pose2& pose) const;
@@ -33,6 +36,8 @@ class FootprintSweep {
 
   bool edges_are_clear(const Pose2& from, const Pose2& to) const;
   bool edges_sweep_clear(const Pose2& from, const Pose2& to) const;
+  bool edges_are_clear(const Arc& arc) const;
+  bool edges_sweep_clear(const Arc& arc) const;
   bool inside_is_free(const Pose2& pose) const;
 
   std::shared_ptr<const ClearanceMap> map_;

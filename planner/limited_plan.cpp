@@ -34,6 +34,7 @@ std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::o
   if (!model) return "a limit of the error needs an alignability map with an error model: 'calibrate' makes one";
   if (query.planner.name != kDefaultPlanner)
     return std::string("a limit of the error is kept by the planner '") + kDefaultPlanner + "' alone";
+  if (is_curved(query.motion.space)) return "a limit of the error is kept in the spaces r2 and se2 alone";
   return std::nullopt;
 }
 

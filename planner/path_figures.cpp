@@ -50,6 +50,14 @@ class FigureSum {
                               [&](double share, const Quadratic& alpha) { add_piece(share * length, alpha); });
   }
 
+  void add_arc(const Arc& arc) {
+    figures_.length += arc.length();
+    figures_.turned += std::abs(arc.turn());
+    if (arc.travel < 0.0) figures_.backward_length += arc.length();
+    figures_.risk_integral += risk_.integral(arc);
+    risk_.alpha_layer().visit(arc, [&](const BilinearAlongArc& alpha) { add_piece(alpha); });
+  }
+
   PathFigures result() const {
     PathFigures figures = figures_;
     figures.alpha_mean = figures.evaluated_length > 0.0 ? alpha_integral_ / figures.evaluated_length : alpha_min_;
@@ -72,6 +80,17 @@ class FigureSum {
     }
   }
 
+  void add_piece(const BilinearAlongArc& alpha) {
+    if (std::isnan(alpha.value) || std::isnan(alpha.twist) || alpha.gradient.hasNaN()) {
+      add_stretch(alpha.length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
+      return;
+    }
+    figures_.evaluated_length += alpha.length;
+    alpha_integral_ += alpha.length * alpha.mean();
+    alpha_min_ = std::fmin(alpha_min_, alpha.least());
+    alpha.visit_stretches(risk_.options().alpha_critical, [&](double length, bool is_below) { add_stretch(length, is_below); });
+  }
+
   void add_stretch(double length, bool blind) {
     current_blind_ = blind ? current_blind_ + length : 0.0;
     if (blind) figures_.blind_length += length;
@@ -91,6 +110,16 @@ PathFigures measure(std::span<const Pose2> path, const RiskField& risk) {
   FigureSum sum(risk);
   if (path.size() == 1) sum.add_segment(path[0], path[0]);
   for (std::size_t i = 0; i + 1 < path.size(); ++i) sum.add_segment(path[i], path[i + 1]);
+  return sum.result();
+}
+
+PathFigures measure(std::span<const Curve> path, const RiskField& risk) {
+  FigureSum sum(risk);
+  // What stands still has an α all the same.
+  if (!path.empty()) sum.add_segment(path.front().start(), path.front().start());
+  for (const Curve& curve : path) {
+    for (const Arc& arc : curve.arcs()) sum.add_arc(arc);
+  }
   return sum.result();
 }
 

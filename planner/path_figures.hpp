@@ -5,13 +5,15 @@
 #include <vector>
 
 #include "costmap/risk_field.hpp"
+#include "planner/curve.hpp"
 
 namespace alignability {
 
-/// What a path of straight segments is worth, exactly: no sampling. Lengths in metres.
+/// What a path of straight segments or curves is worth, exactly: no sampling. Lengths in metres.
 struct PathFigures {
   double length = 0.0;
   double turned = 0.0;            ///< ∫ |dyaw| [rad]
+  double backward_length = 0.0;   ///< of curves: driven backward
   double risk_integral = 0.0;     ///< ∫ risk ds
   double blind_length = 0.0;      ///< where RiskField::is_blind
   double longest_blind = 0.0;     ///< the longest stretch without a break
@@ -22,6 +24,8 @@ struct PathFigures {
 
 /// O(α-cells crossed).
 PathFigures measure(std::span<const Pose2> path, const RiskField& risk);
+/// Of curves that go on from one another.
+PathFigures measure(std::span<const Curve> path, const RiskField& risk);
 
 struct PathSample {
   Pose2 pose;

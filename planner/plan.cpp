@@ -4,6 +4,7 @@
 #include <ompl/base/ProblemDefinition.h>
 #include <ompl/base/SpaceInformation.h>
 #include <ompl/base/spaces/RealVectorStateSpace.h>
+#include <ompl/base/spaces/ReedsSheppStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 #include <ompl/geometric/PathGeometric.h>
 #include <ompl/util/Console.h>
@@ -17,6 +18,7 @@
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
+#include "planner/dubins_space.hpp"
 #include "planner/headings.hpp"
 #include "planner/limited_plan.hpp"
 #include "planner/path_shortening.hpp"
@@ -57,26 +59,42 @@ std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& ar
   return std::nullopt;
 }
 
-ob::StateSpacePtr make_space(MotionSpace kind, const GridGeometry& map) {
+// As OMPL's, but that planners are to check the way back on its own: of two words as short it may be another.
+class OneWayReedsSheppSpace : public ob::ReedsSheppStateSpace {
+ public:
+  using ob::ReedsSheppStateSpace::ReedsSheppStateSpace;
+  bool hasSymmetricInterpolate() const override { return false; }
+};
+
+template <typename Space, typename Bounds>
+ob::StateSpacePtr bounded(std::shared_ptr<Space> space, const Bounds& bounds) {
+  space->setBounds(bounds);
+  return space;
+}
+
+ob::StateSpacePtr make_space(const Motion& motion, const GridGeometry& map) {
   ob::RealVectorBounds bounds(2);
   for (const unsigned int axis : {0u, 1u}) {
     bounds.setLow(axis, map.origin[axis]);
     bounds.setHigh(axis, map.upper_corner()[axis]);
   }
-  if (kind == MotionSpace::r2) {
-    auto space = std::make_shared<ob::RealVectorStateSpace>(2);
-    space->setBounds(bounds);
-    return space;
+  switch (motion.space) {
+    case MotionSpace::r2:
+      return bounded(std::make_shared<ob::RealVectorStateSpace>(2), bounds);
+    case MotionSpace::se2:
+      return bounded(std::make_shared<ob::SE2StateSpace>(), bounds);
+    case MotionSpace::dubins:
+      return bounded(std::make_shared<DubinsSpace>(motion.turning_radius), bounds);
+    case MotionSpace::reeds_shepp:
+      return bounded(std::make_shared<OneWayReedsSheppSpace>(motion.turning_radius), bounds);
   }
-  auto space = std::make_shared<ob::SE2StateSpace>();
-  space->setBounds(bounds);
-  return space;
+  return nullptr;
 }
 
 ob::SpaceInformationPtr make_space_information(const PlanQuery& query, const DrivableArea& area) {
-  const auto si = std::make_shared<ob::SpaceInformation>(make_space(query.motion.space, area.geometry()));
+  const auto si = std::make_shared<ob::SpaceInformation>(make_space(query.motion, area.geometry()));
   si->setStateValidityChecker(std::make_shared<DrivabilityChecker>(si, area));
-  si->setMotionValidator(std::make_shared<DrivabilityMotionValidator>(si, area));
+  si->setMotionValidator(motion_validator_for(si, area));
   si->setup();
   return si;
 }
@@ -117,6 +135,28 @@ std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& quer
   return query.motion.space == MotionSpace::r2 ? looking_ahead(std::move(poses), query.start.yaw) : poses;
 }
 
+std::vector<Curve> curves_of(const og::PathGeometric& path, const Steering& steering) {
+  const StateProjection projection = projection_of(path.getSpaceInformation()->getStateSpace());
+  std::vector<Curve> curves;
+  for (unsigned int i = 1; i < path.getStateCount(); ++i) {
+    curves.push_back(steering.word(projection(path.getState(i - 1)), projection(path.getState(i))));
+  }
+  return curves;
+}
+
+// What is said of a path that the planner found.
+void describe(PlanResult& result, og::PathGeometric& path, const ob::OptimizationObjectivePtr& objective, const Steering* steering,
+              const DrivableArea& area) {
+  const RiskField& risk = *area.risk_field();
+  result.status = PlanStatus::solved;
+  result.path = poses_of(path, result.query);
+  result.cost = path.cost(objective).value();
+  if (steering != nullptr) result.curves = curves_of(path, *steering);
+  if (!result.curves.empty())
+    result.path = poses_along(result.curves, kLargestSagitta, [&](const Pose2& from, const Pose2& to) { return area.contains(from, to); });
+  result.figures = result.curves.empty() ? measure(result.path, risk) : measure(result.curves, risk);
+}
+
 og::PathGeometric standing_path(const ob::ProblemDefinition& definition) {
   return og::PathGeometric(definition.getSpaceInformation(), definition.getStartState(0));
 }
@@ -148,7 +188,13 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     return std::nullopt;
   }
   note_first();
-  return shortened(in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>()), *definition);
+  og::PathGeometric found = in_space(definition->getSpaceInformation(), *definition->getSolutionPath()->as<og::PathGeometric>());
+  // A planner that takes a motion for one that can be driven back may find what cannot be driven.
+  if (is_curved(query.motion.space) && !found.check()) {
+    result.first_solution_seconds.reset();
+    return std::nullopt;
+  }
+  return shortened(found, *definition);
 }
 
 double least_turning(const PlanQuery& query) {
@@ -226,24 +272,22 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   }
   seed_ompl(query.planner.seed);
   const auto si = make_space_information(query, area);
-  const auto objective = std::make_shared<AlignabilityObjective>(si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost});
+  const auto objective = std::make_shared<AlignabilityObjective>(
+      si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost, query.motion.reverse_penalty});
   const auto definition = make_definition(query, si, objective);
   if (gains_from_bounds(result.query.planner.name)) {
     objective->set_bounds(std::make_shared<const RouteBounds>(area, query.weight, query.start.position(), query.goal.position(),
                                                               query.goal_tolerance.position));
   }
   std::future<double> least = least_along(query, area, objective->bounds());
-  const auto path = solve(result.query, options, definition, watch, result);
+  auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
     result = interrupted(result.query);
   } else {
     result.lower_bound = least.get() + least_turning(query);
   }
   if (path && result.status != PlanStatus::interrupted) {
-    result.status = PlanStatus::solved;
-    result.path = poses_of(*path, query);
-    result.cost = path->cost(objective).value();
-    result.figures = measure(result.path, *fields.risk);
+    describe(result, *path, objective, objective->steering(), area);
     if (fields.error_model) result = within_limit(std::move(result), *fields.error_model, area, options.stop);
     if (options.stop.stop_requested()) result = interrupted(result.query);
   }

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "costmap/clearance_map.hpp"
+#include "planner/curve.hpp"
 #include "planner/path_figures.hpp"
 #include "planner/plan_problem.hpp"
 
@@ -32,10 +33,16 @@ struct PlanOptions {
   std::stop_token stop;
 };
 
+/// How far a curve may be from the chord between two poses of a path [m].
+inline constexpr double kLargestSagitta = 1e-3;
+
 struct PlanResult {
   PlanStatus status = PlanStatus::timeout;
-  PlanQuery query;                    ///< as planned, the planner's name filled in, the risk's options those of the fields
-  std::vector<Pose2> path;            ///< from the start to within the goal's tolerance, straight between; empty unless solved
+  PlanQuery query;  ///< as planned, the planner's name filled in, the risk's options those of the fields
+  /// From the start to within the goal's tolerance, straight between; empty unless solved. In curved spaces poses along the curves, nowhere
+  /// further than kLargestSagitta from what is driven, and as dense as it takes for the straights between to be drivable too.
+  std::vector<Pose2> path;
+  std::vector<Curve> curves;          ///< in curved spaces what is driven, one from where the last ends; cost and figures are its
   double cost = 0.0;                  ///< of that path [equivalent m]
   std::optional<double> lower_bound;  ///< certified: no path from the start to the goal costs less; nullopt where none was sought
   PathFigures figures;

@@ -11,9 +11,12 @@
 namespace alignability {
 namespace {
 
-constexpr std::pair<const char*, MotionSpace> kSpaces[] = {{"r2", MotionSpace::r2}, {"se2", MotionSpace::se2}};
+constexpr std::pair<const char*, MotionSpace> kSpaces[] = {
+    {"r2", MotionSpace::r2}, {"se2", MotionSpace::se2}, {"dubins", MotionSpace::dubins}, {"reeds_shepp", MotionSpace::reeds_shepp}};
 constexpr std::pair<const char*, UnknownPolicy> kPolicies[] = {
     {"risky", UnknownPolicy::risky}, {"neutral", UnknownPolicy::neutral}, {"blocked", UnknownPolicy::blocked}};
+
+constexpr Range kTurningRadius{.min = 0.0, .max = kWidestTurn, .min_end = Range::End::open};
 
 template <typename T, std::size_t N>
 const char* name_of(T value, const std::pair<const char*, T> (&choices)[N]) {
@@ -45,6 +48,15 @@ Motion read_motion(YamlMap yaml) {
   Motion motion;
   motion.space = yaml.find_choice("space", kSpaces).value_or(motion.space);
   motion.turn_cost = yaml.find_number("turn_cost", kNotNegative).value_or(motion.turn_cost);
+  if (is_curved(motion.space)) {
+    motion.turning_radius = yaml.number("turning_radius", kTurningRadius);
+  } else if (yaml.has("turning_radius")) {
+    yaml.fail("turning_radius", "a turning radius belongs to the spaces dubins and reeds_shepp");
+  }
+  if (yaml.has("reverse_penalty") && motion.space != MotionSpace::reeds_shepp) {
+    yaml.fail("reverse_penalty", "only in the space reeds_shepp does the robot drive backward");
+  }
+  motion.reverse_penalty = yaml.find_number("reverse_penalty", kNotNegative).value_or(motion.reverse_penalty);
   yaml.finish();
   return motion;
 }
@@ -91,6 +103,15 @@ std::string outline(const Robot& robot) {
   return "footprint: [" + corners + ']';
 }
 
+std::string motion_text(const Motion& motion) {
+  std::string text = "space: ";
+  text += to_string(motion.space);
+  text += ", turn_cost: " + to_text(motion.turn_cost);
+  if (is_curved(motion.space)) text += ", turning_radius: " + to_text(motion.turning_radius);
+  if (motion.space == MotionSpace::reeds_shepp) text += ", reverse_penalty: " + to_text(motion.reverse_penalty);
+  return text;
+}
+
 }  // namespace
 
 ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
@@ -110,6 +131,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   if (const auto tolerance = yaml.find_map("goal_tolerance")) file.query.goal_tolerance = read_goal_tolerance(*tolerance);
   if (const auto risk = yaml.find_map("risk")) read_risk(*risk, file.query);
   if (const auto planner = yaml.find_map("planner")) file.query.planner = read_planner(*planner);
+  if (const auto refusal = refusal_of_space(file.query)) yaml.fail("planner", *refusal);
   yaml.finish();
   return file;
 }
@@ -118,16 +140,24 @@ PlanProblem load_problem(const ProblemFile& file) {
   return {read_occupancy_map(file.map), read_alignability_map(file.alignability), file.query};
 }
 
+const char* to_string(MotionSpace space) { return name_of(space, kSpaces); }
+
 std::optional<std::string> refusal_of_space(const PlanQuery& query) {
-  if (query.motion.space != MotionSpace::r2 || query.robot.footprint.empty()) return std::nullopt;
-  return "a footprint has a heading, and the space r2 has none: take se2, or a radius";
+  const Motion& motion = query.motion;
+  if (motion.space == MotionSpace::r2 && !query.robot.footprint.empty()) {
+    return "a footprint has a heading, and the space r2 has none: take se2, or a radius";
+  }
+  if (!is_curved(motion.space)) return std::nullopt;
+  if (!kTurningRadius.contains(motion.turning_radius)) return "a car's turning radius must be " + kTurningRadius.description() + " m";
+  if (!kNotNegative.contains(motion.reverse_penalty)) return "a reverse penalty must be " + kNotNegative.description();
+  return refusal_of_planner(query.planner.name.empty() ? kDefaultPlanner : query.planner.name, motion.space);
 }
 
 std::string to_yaml(const PlanQuery& query) {
   const auto pose = [](const Pose2& p) { return '[' + to_text(p.x) + ", " + to_text(p.y) + ", " + to_text(p.yaw) + ']'; };
   std::ostringstream out;
   out << "robot: {" << outline(query.robot) << "}\n"
-      << "motion: {space: " << name_of(query.motion.space, kSpaces) << ", turn_cost: " << to_text(query.motion.turn_cost) << "}\n"
+      << "motion: {" << motion_text(query.motion) << "}\n"
       << "start: " << pose(query.start) << "\ngoal: " << pose(query.goal) << '\n'
       << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)
       << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"

@@ -14,12 +14,28 @@
 
 namespace alignability {
 
-enum class MotionSpace { r2, se2 };
+enum class MotionSpace {
+  r2,
+  se2,
+  dubins,       ///< a car that drives forward alone
+  reeds_shepp,  ///< a car that drives backward too
+};
+
+/// The name of a space as problem files have it.
+const char* to_string(MotionSpace space);
+
+/// Whether its motions are a car's, curves of arcs and straights.
+constexpr bool is_curved(MotionSpace space) { return space == MotionSpace::dubins || space == MotionSpace::reeds_shepp; }
 
 struct Motion {
   MotionSpace space = MotionSpace::se2;
-  double turn_cost = 0.2;  ///< [m/rad], >= 0; without effect in R²
+  double turn_cost = 0.2;        ///< [m/rad], >= 0; without effect in R²
+  double turning_radius = 0.0;   ///< of `base_link` [m], in (0, kWidestTurn]; of curved spaces, in which there is no default
+  double reverse_penalty = 1.0;  ///< >= 0; what a metre costs more when driven backward, of reeds_shepp alone
 };
+
+/// The greatest turning radius [m]: beyond it OMPL's words and rounding get in one another's way.
+inline constexpr double kWidestTurn = 1000.0;
 
 /// Which planner, and when it stops: after `iterations` when they are given, else after `time`.
 struct PlannerChoice {
@@ -66,7 +82,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file);
 /// Reads the maps. Throws InputError.
 PlanProblem load_problem(const ProblemFile& file);
 
-/// Why a query's robot cannot be planned for in its space; nullopt when it can.
+/// Why a query's robot cannot be planned for in its space, by its planner; nullopt when it can.
 std::optional<std::string> refusal_of_space(const PlanQuery& query);
 
 /// The query as the lines of a problem file, defaults written out.

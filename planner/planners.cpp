@@ -116,6 +116,16 @@ std::optional<std::string> refusal_of_planner(const std::string& name) {
   return "unknown planner '" + name + "': there are " + list + did_you_mean(name, names);
 }
 
+std::optional<std::string> refusal_of_planner(const std::string& name, MotionSpace space) {
+  if (const auto refusal = refusal_of_planner(name)) return refusal;
+  if (const char* reason = reason_against(name, space)) {
+    std::string text = "the planner '" + name;
+    text += "' is not offered in the space ";
+    return text + to_string(space) + ": " + reason;
+  }
+  return std::nullopt;
+}
+
 ob::PlannerPtr make_planner(const PlannerChoice& choice, const ob::SpaceInformationPtr& si) {
   const std::string name = choice.name.empty() ? kDefaultPlanner : choice.name;
   if (const auto refusal = refusal_of_planner(name)) throw std::invalid_argument(*refusal);

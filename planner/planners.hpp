@@ -19,6 +19,8 @@ std::vector<std::string> planner_names();
 
 /// Why a planner of that name is not offered; nullopt when it is.
 std::optional<std::string> refusal_of_planner(const std::string& name);
+/// Likewise in a space, where one that is offered elsewhere may not be.
+std::optional<std::string> refusal_of_planner(const std::string& name, MotionSpace space);
 
 /// The planner of that choice, its settings those that a cost map allows: no pruning and no rejection by straight-line cost-to-come.
 /// Throws std::invalid_argument with the refusal.

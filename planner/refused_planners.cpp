@@ -55,11 +55,29 @@ constexpr Refusal kRefusals[] = {
     {"birlrt", kIgnores},
 };
 
+constexpr const char* kTwoWayRoads = "its road map takes every motion for one that is the same either way; take field or rrtstar";
+constexpr const char* kNeighboursByCost =
+    "it finds neighbours by cost, which along curves is not the same both ways, and takes minutes over it; take field or bitstar";
+constexpr const char* kSameBothWays = "it rewires by motions that it takes to be the same both ways; take field or rrtstar";
+
+// Where motions are curves: what they cost one way is not what they cost the other, if there is one.
+constexpr Refusal kCurveRefusals[] = {
+    {"prm", kTwoWayRoads},          {"prmstar", kTwoWayRoads},       {"lazyprm", kTwoWayRoads},   {"lazyprmstar", kTwoWayRoads},
+    {"fmtstar", kNeighboursByCost}, {"bfmtstar", kNeighboursByCost}, {"rrtsharp", kSameBothWays}, {"rrtxstatic", kSameBothWays},
+};
+
+template <std::size_t N>
+const char* reason_among(const Refusal (&refusals)[N], const std::string& name) {
+  const auto* found = std::ranges::find(refusals, name, &Refusal::name);
+  return found == std::end(refusals) ? nullptr : found->reason;
+}
+
 }  // namespace
 
-const char* reason_against(const std::string& name) {
-  const auto* found = std::ranges::find(kRefusals, name, &Refusal::name);
-  return found == std::end(kRefusals) ? nullptr : found->reason;
+const char* reason_against(const std::string& name) { return reason_among(kRefusals, name); }
+
+const char* reason_against(const std::string& name, MotionSpace space) {
+  return is_curved(space) ? reason_among(kCurveRefusals, name) : nullptr;
 }
 
 std::vector<std::string> refused_planner_names() {

@@ -31,6 +31,7 @@ std::vector<PlanResult> trade_off(const PlanQuery& query, const PlanningFields& 
       result.status = PlanStatus::solved;
       result.predicted_error = other.predicted_error;
       result.path = other.path;
+      result.curves = other.curves;
       result.figures = other.figures;
       result.cost = cost;
     }

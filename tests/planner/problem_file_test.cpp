@@ -89,6 +89,35 @@ TEST_F(ProblemFileTest, ReadsAFootprintAndWritesItOut) {
   EXPECT_EQ(again.query.robot.footprint, robot.footprint);
 }
 
+TEST_F(ProblemFileTest, ReadsACarsMotionAndWritesItOut) {
+  const auto with_motion = [](const std::string& motion) {
+    std::string text = kGood;
+    const std::string was = "motion: {space: r2, turn_cost: 0.3}";
+    text.replace(text.find(was), was.size(), "motion: {" + motion + "}");
+    text.replace(text.find("prmstar"), 7, "rrtstar");
+    return text;
+  };
+  const PlanQuery dubins = read(with_motion("space: dubins, turning_radius: 1.5")).query;
+  EXPECT_EQ(dubins.motion.space, MotionSpace::dubins);
+  EXPECT_EQ(dubins.motion.turning_radius, 1.5);
+  const PlanQuery car = read(with_motion("space: reeds_shepp, turning_radius: 2, turn_cost: 0, reverse_penalty: 0.5")).query;
+  EXPECT_EQ(car.motion.space, MotionSpace::reeds_shepp);
+  EXPECT_EQ(car.motion.reverse_penalty, 0.5);
+  for (const PlanQuery& query : {dubins, car}) {
+    EXPECT_EQ(to_yaml(read("map: m.yaml\nalignability: a.yaml\n" + to_yaml(query)).query), to_yaml(query));
+  }
+  const auto expect_refusal = [&](const std::string& motion, const std::string& message) {
+    const std::string thrown = test::thrown_message([&] { read(with_motion(motion)); });
+    EXPECT_NE(thrown.find(message), std::string::npos) << thrown;
+  };
+  expect_refusal("space: dubins", "problem.yaml:4:9: missing key 'turning_radius'");
+  expect_refusal("space: dubins, turning_radius: 0", "problem.yaml:4:41: 'turning_radius' must be greater than 0");
+  expect_refusal("space: se2, turning_radius: 1", "problem.yaml:4:38: a turning radius belongs to the spaces dubins and reeds_shepp");
+  expect_refusal("space: dubins, turning_radius: 1, reverse_penalty: 1", "problem.yaml:4:61: only in the space reeds_shepp");
+  expect_refusal("space: reeds_shepp, turning_radius: 1, reverse_penalty: -1", "'reverse_penalty' must be at least 0");
+  expect_refusal("space: car, turning_radius: 1", "dubins");
+}
+
 TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
   struct Fault {
     const char* from;
@@ -102,7 +131,7 @@ TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
       {"alpha_critical: 0.2", "alpha_critical: 0.6", "'alpha_critical' must be less than 'alpha_safe'"},
       {"unknown: neutral", "unknown: netural",
        "'unknown' is 'netural', which is none of: risky, neutral, blocked (did you mean 'neutral'?)"},
-      {"space: r2", "space: r3", "'space' is 'r3', which is none of: r2, se2"},
+      {"space: r2", "space: r3", "'space' is 'r3', which is none of: r2, se2, dubins, reeds_shepp"},
       {"radius: 0.6", "radius: 0", "'radius' must be greater than 0"},
       {"radius: 0.6", "radius: wide", "'radius' must be a number"},
       {"radius: 0.6", "radius: 0.6, footprint: [[0, 0], [1, 0], [0, 1]]", "problem.yaml:3:17: give 'radius' or 'footprint', not both"},
