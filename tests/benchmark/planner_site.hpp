@@ -20,7 +20,7 @@ enum class Parts {
 
 /// A problem with its fields, for either space.
 struct Site {
-  Site(std::string name, PlanProblem problem, MotionSpace space);
+  Site(std::string name, PlanProblem problem, const Motion& motion);
 
   /// With start, goal, checker and objective; only the planner is missing.
   ompl::geometric::SimpleSetup setup(Parts parts) const;
