@@ -231,7 +231,7 @@ PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const Err
 PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const ErrorLimit& limit) {
   path = with_shortcuts(std::move(path), motion, limit);
   for (const double spacing : {2.0, 1.0, 0.5}) {
-    path = subdivided(path, spacing);
+    path = subdivided(path, spacing, motion);
     relax(path, motion, 0.25 * spacing, [&](const PlanarPath& moved) { return keeps(moved, motion, limit); });
     path = with_shortcuts(std::move(path), motion, limit);
   }

@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "planner/cost_lattice.hpp"
+#include "planner/passage_nodes.hpp"
 
 namespace alignability {
 namespace {
@@ -11,14 +12,22 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kStride = 4;  // [cells] along either axis that a step down the field may take
 
+// The nodes of a lattice and of its passages, and the cost of getting from each to the goal.
+struct Field {
+  const GridGeometry& grid;
+  PassageNodes passages;
+  std::vector<double> to_go;
+};
+
 template <typename Visit>
-void visit_nodes_around(const GridGeometry& grid, const Eigen::Vector2d& at, Visit visit) {
+void visit_nodes_around(const GridGeometry& grid, const PassageNodes& passages, const Eigen::Vector2d& at, Visit visit) {
   const Eigen::Array2d middle = ((at - grid.origin) / grid.resolution).array().round();
   for (int y = static_cast<int>(middle.y()) - kStride; y <= middle.y() + kStride; ++y) {
     for (int x = static_cast<int>(middle.x()) - kStride; x <= middle.x() + kStride; ++x) {
       if (grid.contains({x, y})) visit(grid.index({x, y}), grid.corner({x, y}));
     }
   }
+  visit_places_around(passages, grid, at, kStride, [&](std::size_t i) { visit(grid.size() + i, passages.places[i]); });
 }
 
 // What a field says of getting from a place straight to some node and on from there; ordered by cost.
@@ -28,13 +37,13 @@ struct Step {
   Eigen::Vector2d to;
 };
 
-Step best_step(const GridGeometry& grid, const std::vector<double>& to_go, const PlanarMotion& motion, const Eigen::Vector2d& from,
-               double below) {
+Step best_step(const Field& field, const PlanarMotion& motion, const Eigen::Vector2d& from, double below) {
   Step best;
-  visit_nodes_around(grid, from, [&](std::size_t node, const Eigen::Vector2d& at) {
-    if (!(to_go[node] < below)) return;
-    const double cost = motion.cost(from, at) + to_go[node];
-    if (cost < best.cost && motion.is_allowed(from, at)) best = {cost, to_go[node], at};
+  visit_nodes_around(field.grid, field.passages, from, [&](std::size_t node, const Eigen::Vector2d& at) {
+    const double to_go = field.to_go[node];
+    if (!(to_go < below)) return;
+    const double cost = motion.cost(from, at) + to_go;
+    if (cost < best.cost && motion.is_allowed(from, at)) best = {cost, to_go, at};
   });
   return best;
 }
@@ -84,6 +93,13 @@ bool move_vertex(PlanarPath& path, std::size_t i, const PlanarMotion& motion, do
   return false;
 }
 
+bool is_allowed(const PlanarPath& path, const PlanarMotion& motion) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!motion.is_allowed(path[i - 1], path[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double PlanarMotion::cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
@@ -98,16 +114,18 @@ std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen:
   const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius);
   const GridGeometry& grid = lattice.geometry;
   const std::vector<float> cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius);
+  Field field{grid, passage_nodes(lattice, cost, motion), {}};
   std::vector<MarchingSeed> seeds;
-  visit_nodes_around(grid, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
-    if (std::isfinite(cost[node]) && motion.is_allowed(at, goal)) seeds.push_back({node, motion.cost(at, goal)});
+  visit_nodes_around(grid, field.passages, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
+    const bool is_node = node >= grid.size() || std::isfinite(cost[node]);
+    if (is_node && motion.is_allowed(at, goal)) seeds.push_back({node, motion.cost(at, goal)});
   });
-  const std::vector<double> to_go = fast_marching(grid, cost, seeds);
+  field.to_go = fast_marching(grid, cost, seeds, field.passages.places.size(), field.passages.links);
   PlanarPath path{start};
   double below = kInfinite;
   const double in_reach = kStride * grid.resolution;
   while (!((path.back() - goal).norm() <= in_reach && motion.is_allowed(path.back(), goal))) {
-    const Step step = best_step(grid, to_go, motion, path.back(), below);
+    const Step step = best_step(field, motion, path.back(), below);
     if (step.cost == kInfinite) return std::nullopt;
     below = step.to_go;
     path.push_back(step.to);
@@ -120,7 +138,7 @@ PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {
   path = with_shortcuts(path, motion);
   // From coarse to fine, each as fine as the curves of the path may need.
   for (const double spacing : {2.0, 1.0, 0.5, 0.25}) {
-    path = subdivided(path, spacing);
+    path = subdivided(path, spacing, motion);
     relax(path, motion, 0.25 * spacing, [](const PlanarPath&) { return true; });
     path = with_shortcuts(path, motion);
   }
@@ -149,6 +167,19 @@ PlanarPath subdivided(const PlanarPath& path, double spacing) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / spacing)));
     for (int piece = 1; piece < pieces; ++piece) finer.push_back(path[i - 1] + step * piece / pieces);
     finer.push_back(path[i]);
+  }
+  return finer;
+}
+
+PlanarPath subdivided(const PlanarPath& path, double spacing, const PlanarMotion& motion) {
+  PlanarPath finer{path.front()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const PlanarPath pieces = subdivided({path[i - 1], path[i]}, spacing);
+    if (is_allowed(pieces, motion)) {
+      finer.insert(finer.end(), pieces.begin() + 1, pieces.end());
+    } else {
+      finer.push_back(path[i]);
+    }
   }
   return finer;
 }

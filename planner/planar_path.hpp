@@ -25,8 +25,8 @@ struct PlanarMotion {
 using PlanarPath = std::vector<Eigen::Vector2d>;
 
 /// The path down the optimal cost-to-go from a start to a goal, from node to node of the map's lattice, each motion allowed; near the
-/// optimum of all paths by as much as fast marching is. nullopt where none leads over nodes: gaps hardly wider than the disk may have
-/// none. Both places must be allowed themselves. O(cells).
+/// optimum of all paths by as much as fast marching is. In passages without nodes it goes over PassageNodes. nullopt where none leads.
+/// Both places must be allowed themselves. O(cells).
 std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
 
 /// The path freed of the lattice: shortcuts, then vertices moved and added as long as that lowers the cost by the exact integral. Ends
@@ -39,6 +39,8 @@ void relax(PlanarPath& path, const PlanarMotion& motion, double step, const std:
 
 /// The same way with vertices added, so that none is further from the next than `spacing` [m].
 PlanarPath subdivided(const PlanarPath& path, double spacing);
+/// Likewise, but motions that touch an obstacle and whose pieces would, by rounding, not be allowed stay whole.
+PlanarPath subdivided(const PlanarPath& path, double spacing, const PlanarMotion& motion);
 
 /// The path up to where it first comes within a distance of its end [m].
 PlanarPath cut_within(PlanarPath path, double distance);
