@@ -43,6 +43,11 @@ Json options_json(const PlanQuery& query) {
   }
   Json risk{{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}};
   if (query.max_error) risk["max_error"] = *query.max_error;
+  if (query.risk.min_alpha) risk["min_alignability"] = *query.risk.min_alpha;
+  if (query.max_blind_distance) {
+    risk["max_blind_distance"] = *query.max_blind_distance;
+    risk["recovery_distance"] = query.recovery_distance;
+  }
   return {{"robot", robot},
           {"motion", {{"space", query.motion.space == MotionSpace::r2 ? "r2" : "se2"}, {"turn_cost", query.motion.turn_cost}}},
           {"start", pose(query.start)},
@@ -150,7 +155,10 @@ Json plan_json(const PlanResult& result) {
             {"first_solution_seconds", number(result.first_solution_seconds)},
             {"path", path}};
   if (result.predicted_error) json["predicted_error"] = *result.predicted_error;
+  if (result.longest_unrecovered) json["longest_unrecovered"] = *result.longest_unrecovered;
   if (result.smallest_max_error) json["smallest_max_error"] = *result.smallest_max_error;
+  if (result.smallest_max_blind_distance) json["smallest_max_blind_distance"] = *result.smallest_max_blind_distance;
+  if (result.greatest_min_alpha) json["greatest_min_alignability"] = *result.greatest_min_alpha;
   return json;
 }
 

@@ -61,6 +61,9 @@ GoalTolerance read_goal_tolerance(YamlMap yaml) {
 void read_risk(YamlMap yaml, PlanQuery& query) {
   query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
   query.max_error = yaml.find_number("max_error", kPositive);
+  query.max_blind_distance = yaml.find_number("max_blind_distance", kNotNegative);
+  query.recovery_distance = yaml.find_number("recovery_distance", kPositive).value_or(query.recovery_distance);
+  query.risk.min_alpha = yaml.find_number("min_alignability", kShare);
   query.risk.alpha_critical = yaml.find_number("alpha_critical", kShare).value_or(query.risk.alpha_critical);
   query.risk.alpha_safe = yaml.find_number("alpha_safe", kShare).value_or(query.risk.alpha_safe);
   query.risk.unknown = yaml.find_choice("unknown", kPolicies).value_or(query.risk.unknown);
@@ -80,6 +83,18 @@ PlannerChoice read_planner(YamlMap yaml) {
   yaml.finish();
   if (choice.iterations && yaml.has("time")) yaml.fail("iterations", "give 'iterations' or 'time', not both");
   return choice;
+}
+
+std::string limits_of(const PlanQuery& query) {
+  std::string limits;
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    if (value) limits.append(", ").append(key).append(": ").append(to_text(*value));
+  };
+  add("max_error", query.max_error);
+  add("min_alignability", query.risk.min_alpha);
+  add("max_blind_distance", query.max_blind_distance);
+  if (query.max_blind_distance) add("recovery_distance", query.recovery_distance);
+  return limits;
 }
 
 std::string outline(const Robot& robot) {
@@ -132,8 +147,8 @@ std::string to_yaml(const PlanQuery& query) {
       << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)
       << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"
       << "risk: {weight: " << to_text(query.weight) << ", alpha_critical: " << to_text(query.risk.alpha_critical)
-      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies)
-      << (query.max_error ? ", max_error: " + to_text(*query.max_error) : "") << "}\n"
+      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies) << limits_of(query)
+      << "}\n"
       << "planner: {name: " << (query.planner.name.empty() ? kDefaultPlanner : query.planner.name);
   if (query.planner.iterations) {
     out << ", iterations: " << *query.planner.iterations;

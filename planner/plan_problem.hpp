@@ -39,6 +39,9 @@ struct PlanQuery {
   double weight = 5.0;  ///< of the risk, >= 0
   /// The 95th percentile of the localization error that may be predicted anywhere on the path [m], > 0; comparisons pay no heed to it.
   std::optional<double> max_error = {};
+  /// How many blind metres there may be between one place where the robot finds itself and the next (see BlindLimit) [m], >= 0; likewise.
+  std::optional<double> max_blind_distance = {};
+  double recovery_distance = 1.0;  ///< safe metres on which it finds itself, > 0
   RiskOptions risk;
   PlannerChoice planner;
 };

@@ -150,7 +150,7 @@ TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
   EXPECT_GT(solved["predicted_error"], 0.0);
   const test::Outcome strict = planned("0.00001");
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_THAT(strict.err, HasSubstr("no path was found that keeps the limit of the error"));
+  EXPECT_THAT(strict.err, HasSubstr("no path was found that keeps the limit; one was found with --max-error"));
   EXPECT_EQ(json::parse(strict.out)["status"], "infeasible");
   EXPECT_EQ(solved["options"]["risk"]["max_error"], 5.0);
   folder.write("drive.yaml", "odometry: {scale_bias: 0.01}\n");
