@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/path_output.hpp"
+#include "cli/plan_stations.hpp"
 #include "cli/problem_options.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::optional<double> max_blind_distance;
   std::optional<double> recovery_distance;
   std::optional<double> min_alignability;
+  std::optional<std::filesystem::path> stations;
   std::optional<std::filesystem::path> output;
 };
 
@@ -80,6 +82,7 @@ int run(const Options& options) {
   ProblemFile file = problem_file(options.problem);
   set_limits(options, file.query);
   const PlanProblem problem = load_problem(file);
+  if (options.stations) return plan_stations(problem, {*options.stations, options.json, options.output}, interrupt.token());
   if (problem.alignability.error_model) warn_of_mismatches(file, problem.alignability);
   const PlanningFields fields(problem);
   const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
@@ -109,13 +112,16 @@ void add_plan(CLI::App& app, Work& work) {
   command->add_option("--recovery-distance", options->recovery_distance, "Safe metres without a break on which it finds itself (1)")
       ->check(CLI::PositiveNumber);
   command->add_option("--min-alignability", options->min_alignability, "Places below it are shut")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--stations", options->stations,
+                      "File that names stations: plan from each to each instead, and give the matrix of costs");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways");
   command->footer(
       "Examples:\n"
       "  alignability plan maps/warehouse/problem.yaml -o route\n"
       "  alignability plan maps/warehouse/problem.yaml --alignability calibrated.yaml --max-error 0.15\n"
       "  alignability plan maps/warehouse/problem.yaml --weight 0 --max-blind-distance 10\n"
+      "  alignability plan maps/warehouse/problem.yaml --stations maps/warehouse/stations.yaml -o ways\n"
       "  alignability plan maps/warehouse/problem.yaml --planner prmstar --time 10 --weight 2 --json");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -6,6 +6,7 @@
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivability.hpp"
+#include "planner/goal_field.hpp"
 #include "planner/heading_search.hpp"
 #include "planner/planners.hpp"
 #include "planner/pose_goal.hpp"

@@ -3,9 +3,8 @@
 
 #include <algorithm>
 
-#include "planner/heading_search.hpp"
-#include "planner/headings.hpp"
 #include "planner/limited_path.hpp"
+#include "planner/planar_plan.hpp"
 #include "planner/planners.hpp"
 
 namespace alignability {
@@ -14,27 +13,6 @@ namespace {
 // Vertices that are added to a path shift the steps by which its error is predicted: by so much less than the limit the search keeps,
 // the next where that was not enough.
 constexpr double kStricter[] = {0.999, 0.99, 0.95};
-
-std::vector<Pose2> with_headings(const PlanarPath& path, const PlanQuery& query) {
-  if (query.motion.space == MotionSpace::se2) return turning_evenly(path, {query.start.yaw, query.goal.yaw, query.goal_tolerance.heading});
-  std::vector<Pose2> poses;
-  for (const Eigen::Vector2d& place : path) poses.push_back({place.x(), place.y(), 0.0});
-  return looking_ahead(std::move(poses), query.start.yaw);
-}
-
-double cost_of(const PathFigures& figures, const PlanQuery& query) {
-  const double turning = query.motion.space == MotionSpace::se2 ? query.motion.turn_cost * figures.turned : 0.0;
-  return figures.length + query.weight * figures.risk_integral + turning;
-}
-
-// The solved plan along another path of the plane.
-PlanResult along(PlanResult result, const PlanarPath& path, const RiskField& risk) {
-  // Short of the tolerance by more than rounding, so that it is met.
-  result.path = with_headings(cut_within(path, (1.0 - 1e-6) * result.query.goal_tolerance.position), result.query);
-  result.figures = measure(result.path, risk);
-  result.cost = cost_of(result.figures, result.query);
-  return result;
-}
 
 PlanResult infeasible(const PlanResult& result) {
   PlanResult none;
@@ -55,7 +33,9 @@ PlanResult within_error(const PlanResult& result, const ErrorModel& model, const
   for (const double stricter : kStricter) {
     const auto path = path_within(motion, {model, stricter * most}, ends.start, ends.goal, stop);
     if (!path) break;
-    PlanResult limited = along(result, *path, *motion.risk);
+    PlanResult limited = solved_along(*path, result.query, *motion.risk);
+    limited.lower_bound = result.lower_bound;
+    limited.first_solution_seconds = result.first_solution_seconds;
     limited.predicted_error = greatest_predicted_error(limited.path, *motion.risk, model);
     if (*limited.predicted_error <= most) return limited;
   }
@@ -69,7 +49,9 @@ PlanResult within_error(const PlanResult& result, const ErrorModel& model, const
 PlanResult within_blind_distance(const PlanResult& result, const PlanarMotion& motion, const Ends& ends, const std::stop_token& stop) {
   const double recovery = result.query.recovery_distance;
   if (const auto path = path_within(motion, BlindLimit{*result.query.max_blind_distance, recovery}, ends.start, ends.goal, stop)) {
-    PlanResult limited = along(result, *path, *motion.risk);
+    PlanResult limited = solved_along(*path, result.query, *motion.risk);
+    limited.lower_bound = result.lower_bound;
+    limited.first_solution_seconds = result.first_solution_seconds;
     limited.longest_unrecovered = longest_unrecovered(limited.path, *motion.risk, recovery);
     return limited;
   }

@@ -3,50 +3,10 @@
 
 #include <limits>
 
-#include "planner/cost_lattice.hpp"
-#include "planner/passage_nodes.hpp"
-
 namespace alignability {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr int kStride = 4;  // [cells] along either axis that a step down the field may take
-
-// The nodes of a lattice and of its passages, and the cost of getting from each to the goal.
-struct Field {
-  const GridGeometry& grid;
-  PassageNodes passages;
-  std::vector<double> to_go;
-};
-
-template <typename Visit>
-void visit_nodes_around(const GridGeometry& grid, const PassageNodes& passages, const Eigen::Vector2d& at, Visit visit) {
-  const Eigen::Array2d middle = ((at - grid.origin) / grid.resolution).array().round();
-  for (int y = static_cast<int>(middle.y()) - kStride; y <= middle.y() + kStride; ++y) {
-    for (int x = static_cast<int>(middle.x()) - kStride; x <= middle.x() + kStride; ++x) {
-      if (grid.contains({x, y})) visit(grid.index({x, y}), grid.corner({x, y}));
-    }
-  }
-  visit_places_around(passages, grid, at, kStride, [&](std::size_t i) { visit(grid.size() + i, passages.places[i]); });
-}
-
-// What a field says of getting from a place straight to some node and on from there; ordered by cost.
-struct Step {
-  double cost = kInfinite;
-  double to_go = kInfinite;
-  Eigen::Vector2d to;
-};
-
-Step best_step(const Field& field, const PlanarMotion& motion, const Eigen::Vector2d& from, double below) {
-  Step best;
-  visit_nodes_around(field.grid, field.passages, from, [&](std::size_t node, const Eigen::Vector2d& at) {
-    const double to_go = field.to_go[node];
-    if (!(to_go < below)) return;
-    const double cost = motion.cost(from, at) + to_go;
-    if (cost < best.cost && motion.is_allowed(from, at)) best = {cost, to_go, at};
-  });
-  return best;
-}
 
 // The cheapest of the paths that leave out vertices, none further apart than the window.
 PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
@@ -108,30 +68,6 @@ double PlanarMotion::cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to
 
 bool PlanarMotion::is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
   return clearance->is_clear(from, to, radius) && risk->is_drivable(from, to);
-}
-
-std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
-  const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius);
-  const GridGeometry& grid = lattice.geometry;
-  const std::vector<float> cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius);
-  Field field{grid, passage_nodes(lattice, cost, motion), {}};
-  std::vector<MarchingSeed> seeds;
-  visit_nodes_around(grid, field.passages, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
-    const bool is_node = node >= grid.size() || std::isfinite(cost[node]);
-    if (is_node && motion.is_allowed(at, goal)) seeds.push_back({node, motion.cost(at, goal)});
-  });
-  field.to_go = fast_marching(grid, cost, seeds, field.passages.places.size(), field.passages.links);
-  PlanarPath path{start};
-  double below = kInfinite;
-  const double in_reach = kStride * grid.resolution;
-  while (!((path.back() - goal).norm() <= in_reach && motion.is_allowed(path.back(), goal))) {
-    const Step step = best_step(field, motion, path.back(), below);
-    if (step.cost == kInfinite) return std::nullopt;
-    below = step.to_go;
-    path.push_back(step.to);
-  }
-  path.push_back(goal);
-  return path;
 }
 
 PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {

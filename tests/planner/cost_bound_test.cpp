@@ -5,6 +5,7 @@
 
 #include <numbers>
 
+#include "planner/goal_field.hpp"
 #include "planner/plan.hpp"
 #include "tests/planner/patience.hpp"
 #include "tests/planner/plane_site.hpp"
