@@ -52,7 +52,7 @@ void warn_of_mismatches(const ProblemFile& file, const AlignabilityMap& map) {
     used.scale_bias = drive.odometry.scale_bias;
   }
   for (const std::string& mismatch : mismatches(map.error_model->calibration, used)) {
-    std::cerr << "warning: " << file.alignability.string() << ": the error model was " << mismatch << '\n';
+    std::cerr << "warning: " << file.alignability.front().string() << ": the error model was " << mismatch << '\n';
   }
 }
 

@@ -6,6 +6,7 @@
 
 #include "core/yaml_map.hpp"
 #include "costmap/map_server.hpp"
+#include "costmap/scenario_map.hpp"
 #include "planner/planners.hpp"
 
 namespace alignability {
@@ -106,13 +107,37 @@ std::string outline(const Robot& robot) {
   return "footprint: [" + corners + ']';
 }
 
+std::vector<std::filesystem::path> read_alignability_paths(YamlMap& yaml) {
+  if (!yaml.is_sequence("alignability")) return {yaml.path("alignability")};
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& path : yaml.texts("alignability")) paths.push_back(yaml.file().parent_path() / path);
+  if (paths.empty()) yaml.fail("alignability", "name at least one alignability map");
+  return paths;
+}
+
+AlignabilityMap read_scenarios(const ProblemFile& file) {
+  if (file.alignability.size() == 1) return read_alignability_map(file.alignability.front());
+  std::vector<AlignabilityMap> maps;
+  for (const std::filesystem::path& path : file.alignability) {
+    maps.push_back(read_alignability_map(path));
+    if (maps.back().geometry != maps.front().geometry) {
+      throw InputError(path, "has another grid than " + file.alignability.front().string() + ", a scenario of the same site");
+    }
+  }
+  return scenario_map(maps, file.scenario_quantile);
+}
+
 }  // namespace
 
 ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   YamlMap yaml = YamlMap::from_file(yaml_file);
   ProblemFile file;
   file.map = yaml.path("map");
-  file.alignability = yaml.path("alignability");
+  file.alignability = read_alignability_paths(yaml);
+  if (auto scenarios = yaml.find_map("scenarios")) {
+    file.scenario_quantile = scenarios->number("quantile", kShare);
+    scenarios->finish();
+  }
   file.scene = yaml.find_path("scene");
   file.sensor = yaml.find_path("sensor");
   file.range_max = yaml.find_number("range_max", kPositive);
@@ -129,9 +154,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   return file;
 }
 
-PlanProblem load_problem(const ProblemFile& file) {
-  return {read_occupancy_map(file.map), read_alignability_map(file.alignability), file.query};
-}
+PlanProblem load_problem(const ProblemFile& file) { return {read_occupancy_map(file.map), read_scenarios(file), file.query}; }
 
 std::optional<std::string> refusal_of_space(const PlanQuery& query) {
   if (query.motion.space != MotionSpace::r2 || query.robot.footprint.empty()) return std::nullopt;

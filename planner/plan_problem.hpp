@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "costmap/alignability_map.hpp"
 #include "costmap/occupancy_map.hpp"
@@ -55,7 +56,8 @@ struct PlanProblem {
 /// A problem file as DESIGN §5 has it, the files that it names not yet read. Their paths are resolved against its folder.
 struct ProblemFile {
   std::filesystem::path map;
-  std::filesystem::path alignability;
+  std::vector<std::filesystem::path> alignability;  ///< at least one; several are scenarios of one site
+  double scenario_quantile = 0.0;                   ///< of several, what counts of a cell (see scenario_map)
   std::optional<std::filesystem::path> scene;
   std::optional<std::filesystem::path> sensor;
   std::optional<double> range_max;
