@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
+#include <algorithm>
 #include <cstdio>
 #include <iostream>
 
@@ -8,6 +9,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/problem_options.hpp"
+#include "core/input_error.hpp"
 #include "localization/fit_error_model.hpp"
 
 namespace alignability::cli {
@@ -16,23 +18,75 @@ namespace {
 struct Options {
   ProblemOptions problem;
   DriveSiteOptions drive;
-  std::vector<std::filesystem::path> paths;
-  std::vector<std::filesystem::path> held_out;
+  std::vector<std::filesystem::path> paths;     // each after the problem of its site, or the first's
+  std::vector<std::filesystem::path> held_out;  // likewise
   int runs = 20;
   bool json = false;
   std::filesystem::path output;
 };
+
+// Where paths are driven, and which.
+struct Site {
+  explicit Site(const ProblemOptions& options)
+      : problem_file(options.file),
+        file(cli::problem_file(options)),
+        problem(load_problem(file)),
+        risk(problem.alignability, problem.occupancy, problem.query.risk) {}
+
+  std::filesystem::path problem_file;
+  ProblemFile file;
+  PlanProblem problem;
+  RiskField risk;
+  std::vector<DrivenPath> fitted;
+  std::vector<DrivenPath> held_out;
+};
+
+std::vector<std::unique_ptr<Site>> sites_of(const Options& options) {
+  std::vector<std::unique_ptr<Site>> sites;
+  sites.push_back(std::make_unique<Site>(options.problem));
+  const auto site_of = [&](const std::filesystem::path& problem) -> Site& {
+    const auto known = std::ranges::find(sites, problem, [](const auto& site) { return site->problem_file; });
+    if (known != sites.end()) return **known;
+    ProblemOptions named;
+    named.file = problem;
+    sites.push_back(std::make_unique<Site>(named));
+    return *sites.back();
+  };
+  const auto add = [&](const std::vector<std::filesystem::path>& files, std::vector<DrivenPath> Site::*paths) {
+    Site* site = sites.front().get();
+    for (const std::filesystem::path& file : files) {
+      if (file.extension() == ".yaml") {
+        site = &site_of(file);
+      } else {
+        (site->*paths).push_back(std::move(read_paths({&file, 1}).front()));
+      }
+    }
+  };
+  add(options.paths, &Site::fitted);
+  add(options.held_out, &Site::held_out);
+  return sites;
+}
 
 Json model_json(const ErrorModel& model) {
   return {{"growth", model.growth},         {"recovery", model.recovery},     {"least", model.least},
           {"alpha_poor", model.alpha_poor}, {"alpha_rich", model.alpha_rich}, {"localizer", model.calibration.localizer}};
 }
 
-Json check_json(const DrivenPath& path, bool held_out, const std::optional<ErrorModelCheck>& check) {
-  return {{"name", path.name},
-          {"held_out", held_out},
-          {"rms", check ? Json(check->rms) : Json(nullptr)},
-          {"covered", check ? Json(check->covered) : Json(nullptr)}};
+Json checks_json(const std::vector<std::unique_ptr<Site>>& sites, const ErrorModel& model) {
+  Json checks = Json::array();
+  const auto add = [&](const Site& site, const DrivenPath& path, bool held_out) {
+    const auto check = check_error_model(model, path, 0, site.risk);
+    checks.push_back({{"problem", site.problem_file.string()},
+                      {"name", path.name},
+                      {"held_out", held_out},
+                      {"rms", check ? Json(check->rms) : Json(nullptr)},
+                      {"covered", check ? Json(check->covered) : Json(nullptr)}});
+  };
+  for (const auto& site : sites) {
+    for (const DrivenPath& path : site->fitted) add(*site, path, false);
+    for (const DrivenPath& path : site->held_out) add(*site, path, true);
+  }
+  return checks;
 }
 
 void print_summary(const Json& summary) {
@@ -54,28 +108,49 @@ void print_summary(const Json& summary) {
   }
 }
 
+// For what a site's drives tell. Throws where the model of the first site would not be for those of another.
+Calibration checked_calibration(const std::vector<std::unique_ptr<Site>>& sites, const DriveSiteOptions& options) {
+  std::optional<Calibration> first;
+  for (const auto& site : sites) {
+    const DriveOptions drive = drive_options_of(site->file, site->problem_file, options);
+    if (drive.localizers.size() > 1) throw std::invalid_argument("an error model is one localizer's: name it by --localizer");
+    const LidarModel lidar = lidar_of(site->file, site->problem_file, options);
+    const Calibration calibration = calibration_of(drive, 0, lidar, site->file.range_max);
+    if (!first) first = calibration;
+    const std::vector<std::string> differences = mismatches(*first, calibration);
+    if (!differences.empty())
+      throw InputError(site->problem_file, "a model is for one way of driving, not " + differences.front() + " here");
+  }
+  return *first;
+}
+
+void drive(Site& site, const Options& options, const std::stop_token& stop) {
+  const ClearanceMap clearance(site.problem.occupancy);
+  const double radius = inscribed_radius(site.problem.query.robot);
+  warn_of_collisions(site.fitted, clearance, radius);
+  warn_of_collisions(site.held_out, clearance, radius);
+  const DriveSite place = load_drive_site(site.file, site.problem_file, site.problem.occupancy, options.drive, stop);
+  TrialOptions trials = place.trials;
+  trials.runs = options.runs;
+  if (!site.fitted.empty()) site.fitted = driven(std::move(site.fitted), place, trials);
+  if (!site.held_out.empty()) site.held_out = driven(std::move(site.held_out), place, trials);
+}
+
 int run(const Options& options) {
   const Interrupt interrupt;
-  const ProblemFile file = problem_file(options.problem);
-  const PlanProblem problem = load_problem(file);
-  const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
-  std::vector<DrivenPath> paths = read_paths(options.paths);
-  if (const auto refusal = refusal_of_fit(paths, risk)) throw std::invalid_argument(*refusal);
-  for (DrivenPath& path : read_paths(options.held_out)) paths.push_back(std::move(path));
-  warn_of_collisions(paths, ClearanceMap(problem.occupancy), inscribed_radius(problem.query.robot));
-  const DriveSite site = load_drive_site(file, options.problem.file, problem.occupancy, options.drive, interrupt.token());
-  if (site.trials.drive.localizers.size() > 1) throw std::invalid_argument("an error model is one localizer's: name it by --localizer");
-  TrialOptions trials = site.trials;
-  trials.runs = options.runs;
-  paths = driven(std::move(paths), site, trials);
-  AlignabilityMap map = problem.alignability;
-  ErrorModel model = fit_error_model(std::span(paths).first(options.paths.size()), 0, risk);
-  model.calibration = calibration_of(trials.drive, 0, site.lidar, file.range_max);
+  const std::vector<std::unique_ptr<Site>> sites = sites_of(options);
+  std::vector<SitePaths> fitted;
+  for (const auto& site : sites) fitted.push_back({site->fitted, site->risk});
+  if (const auto refusal = refusal_of_fit(fitted)) throw std::invalid_argument(*refusal);
+  const Calibration calibration = checked_calibration(sites, options.drive);
+  for (const auto& site : sites) drive(*site, options, interrupt.token());
+  fitted.clear();
+  for (const auto& site : sites) fitted.push_back({site->fitted, site->risk});
+  ErrorModel model = fit_error_model(fitted, 0);
+  model.calibration = calibration;
+  AlignabilityMap map = sites.front()->problem.alignability;
   map.error_model = model;
-  Json summary{{"model", model_json(model)}, {"runs", options.runs}, {"paths", Json::array()}};
-  for (std::size_t i = 0; i < paths.size(); ++i) {
-    summary["paths"].push_back(check_json(paths[i], i >= options.paths.size(), check_error_model(model, paths[i], 0, risk)));
-  }
+  const Json summary{{"model", model_json(model)}, {"runs", options.runs}, {"paths", checks_json(sites, model)}};
   const std::filesystem::path name = output_name(options.output);
   write_alignability_map(map, name);
   if (options.json) {
@@ -93,8 +168,12 @@ void add_calibrate(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("calibrate", "Fit how far off a localizer is to how alignable its way was, for plan --max-error");
   command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->required();
-  command->add_option("paths", options->paths, "Paths (CSV) to drive and to fit the model to; blind stretches and rich ones")->required();
-  command->add_option("--held-out", options->held_out, "Further paths, driven to see how the model fares where it was not fitted");
+  command
+      ->add_option("paths", options->paths,
+                   "Paths (CSV) to drive and to fit the model to, blind stretches and rich ones; of another site after its problem file")
+      ->required();
+  command->add_option("--held-out", options->held_out,
+                      "Further paths, likewise, driven to see how the model fares where it was not fitted");
   command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
   command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
   command->add_option("--runs", options->runs, "Drives of each path")->check(CLI::Range(1, 100'000))->capture_default_str();
@@ -105,7 +184,8 @@ void add_calibrate(CLI::App& app, Work& work) {
   command->footer(
       "Examples:\n"
       "  alignability calibrate maps/warehouse/problem.yaml c_shortest.csv c_risk_aware.csv -o calibrated\n"
-      "  alignability calibrate maps/warehouse/problem.yaml a.csv --held-out b.csv --localizer ndt_mcl_product -o calibrated");
+      "  alignability calibrate maps/warehouse/problem.yaml a.csv --held-out b.csv --localizer ndt_mcl_product -o calibrated\n"
+      "  alignability calibrate hall.yaml a.csv --held-out office.yaml b.csv c.csv -o calibrated");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }
 

@@ -29,15 +29,6 @@ std::vector<Localizer> localizers_of(const std::vector<std::string>& names) {
   return localizers;
 }
 
-DriveOptions drive_options(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
-  DriveOptions drive = read_drive_file(options.file ? *options.file : named(problem.drive, "drive", problem_file));
-  if (!options.localizers.empty()) drive.localizers = localizers_of(options.localizers);
-  drive.odometry.scale_bias = options.scale_bias.value_or(drive.odometry.scale_bias);
-  drive.range_max = problem.range_max;
-  drive.floor = options.floor;
-  return drive;
-}
-
 // What the localizers know of the site, made as a robot would make it.
 std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, const Scene& scene, const OccupancyMap& occupancy,
                                        const LidarModel& lidar, const DriveOptions& drive, const DriveSiteOptions& options,
@@ -72,11 +63,25 @@ std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions&
   return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
 }
 
-DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::path& problem_file, const OccupancyMap& occupancy,
-                          const DriveSiteOptions& options, std::stop_token stop) {
-  DriveOptions drive = drive_options(problem, problem_file, options);
+DriveOptions drive_options_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
+  DriveOptions drive = read_drive_file(options.file ? *options.file : named(problem.drive, "drive", problem_file));
+  if (!options.localizers.empty()) drive.localizers = localizers_of(options.localizers);
+  drive.odometry.scale_bias = options.scale_bias.value_or(drive.odometry.scale_bias);
+  drive.range_max = problem.range_max;
+  drive.floor = options.floor;
+  return drive;
+}
+
+LidarModel lidar_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
   LidarModel lidar = read_lidar_model(named(problem.sensor, "sensor", problem_file));
   lidar.range_stddev = options.noise.value_or(lidar.range_stddev);
+  return lidar;
+}
+
+DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::path& problem_file, const OccupancyMap& occupancy,
+                          const DriveSiteOptions& options, std::stop_token stop) {
+  DriveOptions drive = drive_options_of(problem, problem_file, options);
+  LidarModel lidar = lidar_of(problem, problem_file, options);
   const std::vector<TriangleMesh> meshes = read_meshes(named(problem.scene, "scene", problem_file), options.reading);
   Scene scene(meshes);
   const std::vector<Eigen::Vector3f> cloud = map_cloud(meshes, scene, occupancy, lidar, drive, options, stop);

@@ -30,6 +30,12 @@ struct DriveSiteOptions {
 /// All but the number of runs; those that it added.
 std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions& options);
 
+/// How the site of a problem is driven. Throws InputError.
+DriveOptions drive_options_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options);
+
+/// The problem's sensor as it is driven. Throws InputError.
+LidarModel lidar_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options);
+
 /// A site to drive in.
 struct DriveSite {
   Scene scene;

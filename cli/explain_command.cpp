@@ -54,7 +54,7 @@ RiskOptions complete(Options& options) {
     if (!options.sensor) options.sensor = file.sensor;
     if (!options.range_max) options.range_max = file.range_max;
     if (!options.occupancy) options.occupancy = file.map;
-    if (!options.alignability) options.alignability = file.alignability;
+    if (!options.alignability) options.alignability = file.alignability.front();
     risk = file.query.risk;
     if (!options.scene) throw InputError(*options.problem, "names no 'scene'; give --scene");
     if (!options.sensor) throw InputError(*options.problem, "names no 'sensor'; give --sensor");

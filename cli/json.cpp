@@ -50,6 +50,11 @@ Json options_json(const PlanQuery& query) {
   }
   Json risk{{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}};
   if (query.max_error) risk["max_error"] = *query.max_error;
+  if (query.risk.min_alpha) risk["min_alignability"] = *query.risk.min_alpha;
+  if (query.max_blind_distance) {
+    risk["max_blind_distance"] = *query.max_blind_distance;
+    risk["recovery_distance"] = query.recovery_distance;
+  }
   return {{"robot", robot},
           {"motion", motion_json(query.motion)},
           {"start", pose(query.start)},
@@ -135,11 +140,15 @@ Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std:
           {"files", names}};
 }
 
+Json path_json(std::span<const Pose2> path) {
+  Json poses = Json::array();
+  for (const Pose2& at : path) poses.push_back(pose(at));
+  return poses;
+}
+
 Json plan_json(const PlanResult& result) {
   const bool solved = result.status == PlanStatus::solved;
   const auto figure = [&](double value) { return solved ? number(value) : Json(nullptr); };
-  Json path = Json::array();
-  for (const Pose2& at : result.path) path.push_back(pose(at));
   Json json{{"status", to_string(result.status)},
             {"planner", result.query.planner.name},
             {"seed", result.query.planner.seed},
@@ -155,9 +164,12 @@ Json plan_json(const PlanResult& result) {
             {"alpha_min", figure(result.figures.alpha_min)},
             {"seconds", result.seconds},
             {"first_solution_seconds", number(result.first_solution_seconds)},
-            {"path", path}};
+            {"path", path_json(result.path)}};
   if (result.predicted_error) json["predicted_error"] = *result.predicted_error;
+  if (result.longest_unrecovered) json["longest_unrecovered"] = *result.longest_unrecovered;
   if (result.smallest_max_error) json["smallest_max_error"] = *result.smallest_max_error;
+  if (result.smallest_max_blind_distance) json["smallest_max_blind_distance"] = *result.smallest_max_blind_distance;
+  if (result.greatest_min_alpha) json["greatest_min_alignability"] = *result.greatest_min_alpha;
   return json;
 }
 

@@ -22,6 +22,9 @@ Json score_json(const std::filesystem::path& file, const Alignability& score, co
 void add_readings(Json& json, const Readings& readings, std::span<const Reading> wanted);
 Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why);
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
+/// [[x, y, yaw], …].
+Json path_json(std::span<const Pose2> path);
+
 Json plan_json(const PlanResult& result);
 Json compare_json(const Comparison& comparison);
 Json compare_json(const Comparison& comparison, std::span<const PlanResult> curve);

@@ -24,7 +24,7 @@ const char* explanation(PlanStatus status) {
     case PlanStatus::timeout:
       return "no path was found in the time given; try a longer --time or another --planner";
     case PlanStatus::infeasible:
-      return "no path was found that keeps the limit of the error";
+      return "no path was found that keeps the limit";
     case PlanStatus::start_in_collision:
       return "the robot collides at the start";
     case PlanStatus::goal_in_collision:
@@ -84,6 +84,10 @@ PathPictureOptions picture_options(const PlanQuery& query, const std::string& ti
 int say_no(const std::filesystem::path& problem_file, const PlanResult& result) {
   std::cerr << problem_file.string() << ": " << explanation(result.status);
   if (result.smallest_max_error) std::cerr << "; one was found with --max-error " << hundredths_up(*result.smallest_max_error);
+  if (result.smallest_max_blind_distance) {
+    std::cerr << "; one was found with --max-blind-distance " << hundredths_up(*result.smallest_max_blind_distance);
+  }
+  if (result.greatest_min_alpha) std::cerr << "; there is a way with --min-alignability " << to_text(*result.greatest_min_alpha);
   std::cerr << '\n';
   return kNo;
 }

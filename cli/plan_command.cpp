@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/path_output.hpp"
+#include "cli/plan_stations.hpp"
 #include "cli/problem_options.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
@@ -19,6 +20,10 @@ struct Options {
   ProblemOptions problem;
   bool json = false;
   std::optional<double> max_error;
+  std::optional<double> max_blind_distance;
+  std::optional<double> recovery_distance;
+  std::optional<double> min_alignability;
+  std::optional<std::filesystem::path> stations;
   std::optional<std::filesystem::path> output;
 };
 
@@ -47,7 +52,7 @@ void warn_of_mismatches(const ProblemFile& file, const AlignabilityMap& map) {
     used.scale_bias = drive.odometry.scale_bias;
   }
   for (const std::string& mismatch : mismatches(map.error_model->calibration, used)) {
-    std::cerr << "warning: " << file.alignability.string() << ": the error model was " << mismatch << '\n';
+    std::cerr << "warning: " << file.alignability.front().string() << ": the error model was " << mismatch << '\n';
   }
 }
 
@@ -61,14 +66,23 @@ void print_result(const PlanResult& result) {
   std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
   std::printf("%-20s %9.2f m, at most %.1f %% above the optimum\n", "cost", result.cost, percent_above(result));
   print_figures(result.figures);
+  if (result.longest_unrecovered) std::printf("%-20s %9.2f m\n", "longest unrecovered", *result.longest_unrecovered);
   if (result.predicted_error) std::printf("%-20s %9.2f m, 95 %% of the time\n", "predicted error", *result.predicted_error);
+}
+
+void set_limits(const Options& options, PlanQuery& query) {
+  if (options.max_error) query.max_error = options.max_error;
+  if (options.max_blind_distance) query.max_blind_distance = options.max_blind_distance;
+  if (options.recovery_distance) query.recovery_distance = *options.recovery_distance;
+  if (options.min_alignability) query.risk.min_alpha = options.min_alignability;
 }
 
 int run(const Options& options) {
   const Interrupt interrupt;
   ProblemFile file = problem_file(options.problem);
-  if (options.max_error) file.query.max_error = options.max_error;
+  set_limits(options, file.query);
   const PlanProblem problem = load_problem(file);
+  if (options.stations) return plan_stations(problem, {*options.stations, options.json, options.output}, interrupt.token());
   if (problem.alignability.error_model) warn_of_mismatches(file, problem.alignability);
   const PlanningFields fields(problem);
   const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
@@ -91,12 +105,23 @@ void add_plan(CLI::App& app, Work& work) {
           "--max-error", options->max_error,
           "The error of localization [m] that may be predicted anywhere on the path, 95th percentile; for a map with an error model")
       ->check(CLI::PositiveNumber);
+  command
+      ->add_option("--max-blind-distance", options->max_blind_distance,
+                   "Blind metres that there may be between one place where the robot finds itself and the next")
+      ->check(CLI::NonNegativeNumber);
+  command->add_option("--recovery-distance", options->recovery_distance, "Safe metres without a break on which it finds itself (1)")
+      ->check(CLI::PositiveNumber);
+  command->add_option("--min-alignability", options->min_alignability, "Places below it are shut")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--stations", options->stations,
+                      "File that names stations: plan from each to each instead, and give the matrix of costs");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways");
   command->footer(
       "Examples:\n"
       "  alignability plan maps/warehouse/problem.yaml -o route\n"
       "  alignability plan maps/warehouse/problem.yaml --alignability calibrated.yaml --max-error 0.15\n"
+      "  alignability plan maps/warehouse/problem.yaml --weight 0 --max-blind-distance 10\n"
+      "  alignability plan maps/warehouse/problem.yaml --stations maps/warehouse/stations.yaml -o ways\n"
       "  alignability plan maps/warehouse/problem.yaml --planner prmstar --time 10 --weight 2 --json");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -26,7 +26,7 @@ void add_problem_options(CLI::App& command, ProblemOptions& options) {
 ProblemFile problem_file(const ProblemOptions& options) {
   ProblemFile file = read_problem_file(options.file);
   file.map = options.map.value_or(file.map);
-  file.alignability = options.alignability.value_or(file.alignability);
+  if (options.alignability) file.alignability = {*options.alignability};
   PlanQuery& query = file.query;
   if (options.planner) {
     if (const auto refusal = refusal_of_planner(*options.planner)) throw std::invalid_argument(*refusal);

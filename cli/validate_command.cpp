@@ -35,6 +35,7 @@ std::vector<Pose2> leg(PlanQuery query, const PlanningFields& fields, const Eige
   query.motion.space = MotionSpace::r2;
   query.weight = 0.0;
   query.max_error.reset();
+  query.max_blind_distance.reset();
   query.planner.name = kDefaultPlanner;
   query.goal_tolerance.position = 1e-6;
   query.start = {from.x(), from.y(), 0.0};

@@ -201,6 +201,12 @@ void YamlMap::fail(std::string_view key, std::string_view message) const {
   fail_at(node_, message);
 }
 
+std::vector<std::string> YamlMap::keys() const {
+  std::vector<std::string> keys;
+  for (const auto& entry : node_) keys.push_back(entry.first.Scalar());
+  return keys;
+}
+
 // The likeliest cause of a missing key is a misspelt one, so those are looked for first.
 void YamlMap::fail_missing(std::string_view key) const {
   const std::vector<std::string> missing(asked_for_.begin(), asked_for_.end());

@@ -57,6 +57,8 @@ class YamlMap {
   std::optional<T> find_choice(std::string_view key, const std::pair<const char*, T> (&choices)[N]);
 
   bool has(std::string_view key) const;
+  /// In the order of the file.
+  std::vector<std::string> keys() const;
   bool is_sequence(std::string_view key) const;
 
   /// Refuses keys that nobody asked for. Call it once the last key has been asked for.

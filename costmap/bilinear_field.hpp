@@ -6,19 +6,10 @@
 #include "costmap/arc_traversal.hpp"
 #include "costmap/bilinear_along_arc.hpp"
 #include "costmap/grid.hpp"
+#include "costmap/quadratic.hpp"
 #include "costmap/traversal.hpp"
 
 namespace alignability {
-
-/// c0 + c1·s + c2·s² for s in [0,1].
-struct Quadratic {
-  double c0 = 0.0;
-  double c1 = 0.0;
-  double c2 = 0.0;
-
-  double at(double s) const { return c0 + s * (c1 + s * c2); }
-  double mean() const { return c0 + c1 / 2.0 + c2 / 3.0; }
-};
 
 /// A function of the plane given by its values at cell centres, bilinear between four of them and constant across beyond the outermost.
 /// Where a value is NaN, so is every patch between centres that has it for a corner. Immutable; queries allocate nothing.

@@ -4,6 +4,8 @@
 namespace alignability {
 namespace {
 
+constexpr double kRounding = 1e-12;  // of α along a segment, whose ends are exact
+
 double risk_of(double alpha, const RiskOptions& options) {
   if (std::isnan(alpha)) return options.unknown == UnknownPolicy::neutral ? 0.0 : 1.0;
   return std::clamp((options.alpha_safe - alpha) / (options.alpha_safe - options.alpha_critical), 0.0, 1.0);
@@ -18,6 +20,9 @@ BilinearField risk_nodes(const Grid<double>& alpha, const RiskOptions& options) 
 const RiskOptions& checked(const RiskOptions& options) {
   if (!(options.alpha_critical >= 0.0 && options.alpha_critical < options.alpha_safe && options.alpha_safe <= 1.0)) {
     throw std::invalid_argument("risk thresholds must satisfy 0 <= alpha_critical < alpha_safe <= 1");
+  }
+  if (options.min_alpha && !(*options.min_alpha >= 0.0 && *options.min_alpha <= 1.0)) {
+    throw std::invalid_argument("min_alpha must be in [0, 1]");
   }
   return options;
 }
@@ -38,25 +43,44 @@ bool RiskField::is_blind(double alpha) const {
 bool RiskField::has_value(Cell cell) const { return alpha_.nodes().geometry().contains(cell) && !std::isnan(alpha_.nodes()[cell]); }
 
 bool RiskField::is_drivable(const Eigen::Vector2d& point) const {
-  if (options_.unknown != UnknownPolicy::blocked) return true;
-  const auto cell = alpha_.nodes().geometry().cell_near(point);
-  return cell && has_value(*cell);
+  if (options_.unknown == UnknownPolicy::blocked) {
+    const auto cell = alpha_.nodes().geometry().cell_near(point);
+    if (!cell || !has_value(*cell)) return false;
+  }
+  return !options_.min_alpha || alpha_.at(point) >= *options_.min_alpha;
 }
 
 bool RiskField::is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
   if (!is_drivable(from) || !is_drivable(to)) return false;
-  if (options_.unknown != UnknownPolicy::blocked) return true;
   bool drivable = true;
-  detail::traverse(alpha_.nodes().geometry(), from, to, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  if (options_.unknown == UnknownPolicy::blocked) {
+    detail::traverse(alpha_.nodes().geometry(), from, to, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  }
+  if (options_.min_alpha) {
+    const double floor = *options_.min_alpha - kRounding;
+    alpha_.visit(from, to, [&](double, const Quadratic& alpha) { drivable = drivable && alpha.is_number() && alpha.least() >= floor; });
+  }
   return drivable;
 }
 
 bool RiskField::is_drivable(const Arc& arc) const {
   if (!is_drivable(arc.start.position()) || !is_drivable(arc.end().position())) return false;
-  if (options_.unknown != UnknownPolicy::blocked || arc.travel == 0.0) return true;
   bool drivable = true;
-  detail::traverse(alpha_.nodes().geometry(), arc, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  if (options_.unknown == UnknownPolicy::blocked && arc.travel != 0.0) {
+    detail::traverse(alpha_.nodes().geometry(), arc, [&](Cell cell, double, double) { drivable = drivable && has_value(cell); });
+  }
+  if (options_.min_alpha) {
+    const double floor = *options_.min_alpha - kRounding;
+    // What is no number is not above the floor.
+    alpha_.visit(arc, [&](const BilinearAlongArc& alpha) { drivable = drivable && alpha.mean() >= floor && alpha.least() >= floor; });
+  }
   return drivable;
+}
+
+RiskField RiskField::without_floor() const {
+  RiskField field = *this;
+  field.options_.min_alpha.reset();
+  return field;
 }
 
 }  // namespace alignability

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <optional>
+
 #include "core/pose.hpp"
 #include "costmap/alignability_map.hpp"
 #include "costmap/bilinear_field.hpp"
@@ -19,6 +21,7 @@ struct RiskOptions {
   double alpha_critical = 0.1;  ///< risk 1 at or below; in [0, alpha_safe)
   double alpha_safe = 0.4;      ///< risk 0 at or above; in (alpha_critical, 1]
   UnknownPolicy unknown = UnknownPolicy::risky;
+  std::optional<double> min_alpha = {};  ///< a floor in [0, 1]: where α is less, or has no value, the robot may not be
 };
 
 /// The risk of losing localization, by place, in [0,1], and α itself: both bilinear between the centres of α-cells. A cell without
@@ -30,6 +33,8 @@ class RiskField {
   RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options);
 
   const RiskOptions& options() const { return options_; }
+  /// The same field, but that it forbids no place for its α.
+  RiskField without_floor() const;
 
   /// A field of one layer takes no notice of yaw.
   double risk(double x, double y, double yaw) const;
@@ -41,7 +46,7 @@ class RiskField {
   double alpha(double x, double y, double yaw) const;
   /// Whether α is below alpha_critical, or unknown under a policy that takes the unknown for risky.
   bool is_blind(double alpha) const;
-  /// Whether the policy lets the robot's centre be there, and at every point of the segment or arc.
+  /// Whether policy and floor let the robot's centre be there, and at every point of the segment or arc; exact.
   bool is_drivable(const Eigen::Vector2d& point) const;
   bool is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   bool is_drivable(const Arc& arc) const;

@@ -38,6 +38,15 @@ Pose2 read_start_deviations(YamlMap yaml, Pose2 deviations) {
   return deviations;
 }
 
+Regularization read_regularization(YamlMap yaml, double resample_below) {
+  Regularization regularization;
+  const Range effective{.min = 0.0, .max = resample_below, .min_end = Range::End::open, .max_end = Range::End::open};
+  regularization.least_effective = yaml.find_number("least_effective", effective).value_or(regularization.least_effective);
+  regularization.bandwidths = yaml.find_number("bandwidths", kShare).value_or(regularization.bandwidths);
+  yaml.finish();
+  return regularization;
+}
+
 std::vector<Localizer> read_localizers(YamlMap& yaml, const std::vector<std::string>& names) {
   std::vector<Localizer> localizers;
   for (const std::string& name : names) {
@@ -60,6 +69,9 @@ DriveOptions read_drive_file(const std::filesystem::path& yaml_file) {
   if (const auto names = yaml.find_texts("localizers")) options.localizers = read_localizers(yaml, *names);
   LocalizerOptions& localizer = options.localizer;
   localizer.ndt_mcl.particles = static_cast<int>(yaml.find_integer("particles", 1, 1'000'000).value_or(localizer.ndt_mcl.particles));
+  if (const auto regularization = yaml.find_map("regularization")) {
+    localizer.ndt_mcl.regularization = read_regularization(*regularization, localizer.ndt_mcl.resample_below);
+  }
   localizer.ndt.cell = yaml.find_number("cell", kPositive).value_or(localizer.ndt.cell);
   if (const auto noise = yaml.find_map("motion_noise")) {
     localizer.ndt_mcl.noise = localizer.scan_matcher.noise = read_motion_noise(*noise);

@@ -14,6 +14,7 @@ namespace alignability {
 ///     odometry: {scale_bias: 0.02, heading_bias_deg: 0.1, position_noise: 0.01, heading_noise_deg: 0.2, turning_noise_deg: 1}
 ///     localizers: [ndt_mcl_sum]       # names of kLocalizers
 ///     particles: 100
+///     regularization: {least_effective: 0.3, bandwidths: 1}    # of NDT-MCL; without the key it is as published
 ///     cell: 0.4                       # of the NDT [m]
 ///     motion_noise: {per_metre: [0.05, 0.05, 0.01], per_radian: [0.1, 0.01, 0.1]}    # what localizers assume
 ///     start_deviations: {position: 0.1, heading_deg: 1}

@@ -116,26 +116,30 @@ Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, con
           .scale_bias = drive.odometry.scale_bias};
 }
 
-std::optional<std::string> refusal_of_fit(std::span<const DrivenPath> paths, const RiskField& risk) {
+std::optional<std::string> refusal_of_fit(std::span<const SitePaths> sites) {
   std::vector<double> alphas;
-  for (const DrivenPath& path : paths) {
-    for (const TimedPose& at : poses_along(path.path, {.speed = 1.0}, kStep)) {
-      if (at.s >= kSettling) alphas.push_back(risk.alpha(at.pose.x, at.pose.y, at.pose.yaw));
+  for (const auto& [paths, risk] : sites) {
+    for (const DrivenPath& path : paths) {
+      for (const TimedPose& at : poses_along(path.path, {.speed = 1.0}, kStep)) {
+        if (at.s >= kSettling) alphas.push_back(risk.alpha(at.pose.x, at.pose.y, at.pose.yaw));
+      }
     }
   }
   if (tell(alphas, std::ranges::max(kPoor), kRich[2])) return std::nullopt;
   return "an error model needs paths with at least 4 m of alignability up to 0.2 and 4 m of 0.3 and more to be fitted to";
 }
 
-ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t localizer, const RiskField& risk) {
-  if (const auto refusal = refusal_of_fit(paths, risk)) throw std::invalid_argument(*refusal);
+ErrorModel fit_error_model(std::span<const SitePaths> sites, std::size_t localizer) {
+  if (const auto refusal = refusal_of_fit(sites)) throw std::invalid_argument(*refusal);
   std::vector<Stations> all;
   std::vector<double> alphas;
-  for (const DrivenPath& path : paths) {
-    Stations stations = stations_of(path, localizer, risk);
-    if (stations.size() < 2) continue;
-    for (const Station& station : stations) alphas.push_back(station.alpha);
-    all.push_back(std::move(stations));
+  for (const auto& [paths, risk] : sites) {
+    for (const DrivenPath& path : paths) {
+      Stations stations = stations_of(path, localizer, risk);
+      if (stations.size() < 2) continue;
+      for (const Station& station : stations) alphas.push_back(station.alpha);
+      all.push_back(std::move(stations));
+    }
   }
   Fit best;
   for (const double poor : kPoor) {
@@ -145,8 +149,9 @@ ErrorModel fit_error_model(std::span<const DrivenPath> paths, std::size_t locali
       if (fit.squares < best.squares) best = fit;
     }
   }
-  if (!std::isfinite(best.squares))
+  if (!std::isfinite(best.squares)) {
     throw std::invalid_argument("the drives tell too little of poor or of rich places to fit an error model");
+  }
   return best.model;
 }
 

@@ -7,6 +7,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "core/range.hpp"
+
 namespace alignability {
 namespace {
 
@@ -61,10 +63,12 @@ double log_weight(const Ndt& map, std::span<const NdtCell> scan, const Pose2& po
   return combination == CellCombination::product ? sum : std::log1p(sum);
 }
 
-void normalize(std::vector<Particle>& particles) {
-  double sum = 0.0;
-  for (const Particle& particle : particles) sum += particle.weight;
-  for (Particle& particle : particles) particle.weight /= sum;
+void require(const Regularization& regularization, double resample_below) {
+  const auto& [least_effective, bandwidths] = regularization;
+  if (!(least_effective > 0.0 && least_effective < resample_below)) {
+    throw std::invalid_argument("least_effective must be greater than 0 and less than resample_below");
+  }
+  if (!kShare.contains(bandwidths)) throw std::invalid_argument("the bandwidths of a kernel must be from 0 to 1");
 }
 
 }  // namespace
@@ -76,6 +80,7 @@ NdtMcl::NdtMcl(std::shared_ptr<const Ndt> map, const Pose2& start, const Pose2& 
     : map_(std::move(map)), options_(options), engine_(seed) {
   if (options.particles < 1) throw std::invalid_argument("there must be at least one particle");
   if (options.resample_after < 1) throw std::invalid_argument("resample_after must be at least 1");
+  if (options.regularization) require(*options.regularization, options.resample_below);
   const double weight = 1.0 / options.particles;
   for (int i = 0; i < options.particles; ++i) {
     const double x = start.x + deviations.x * normal();
@@ -102,17 +107,20 @@ void NdtMcl::see(const Ndt& scan) {
   for (const NdtCell& cell : scan.cells()) {
     if (cell.mean.z() >= options_.least_height) cells.push_back(cell);
   }
-  std::vector<double> logs;
+  std::vector<double> logs, likelihoods;
   for (const auto& [pose, weight] : particles_) {
-    logs.push_back(std::log(weight) + log_weight(*map_, cells, pose, options_.combination));
+    logs.push_back(std::log(weight));
+    likelihoods.push_back(log_weight(*map_, cells, pose, options_.combination));
   }
-  const double most = std::ranges::max(logs);  // of a particle that has a weight: finite
-  for (std::size_t i = 0; i < particles_.size(); ++i) particles_[i].weight = std::exp(logs[i] - most);
-  normalize(particles_);
+  double power = 1.0;
+  if (const auto& regularization = options_.regularization) {
+    power = power_that_keeps(regularization->least_effective * options_.particles, logs, likelihoods);
+  }
+  for (std::size_t i = 0; i < logs.size(); ++i) logs[i] += power * likelihoods[i];
+  const std::vector<double> weights = normalized_weights(logs);
+  for (std::size_t i = 0; i < weights.size(); ++i) particles_[i].weight = weights[i];
   ++seen_;
-  double squares = 0.0;
-  for (const Particle& particle : particles_) squares += particle.weight * particle.weight;
-  if (1.0 / squares < options_.resample_below * options_.particles || seen_ >= options_.resample_after) resample();
+  if (effective_number(weights) < options_.resample_below * options_.particles || seen_ >= options_.resample_after) resample();
 }
 
 // Systematically: one draw for all.
@@ -126,21 +134,25 @@ void NdtMcl::resample() {
     for (; at < below && drawn.size() < particles_.size(); at += share) drawn.push_back({particle.pose, share});
   }
   while (drawn.size() < particles_.size()) drawn.push_back({particles_.back().pose, share});  // rounding
+  if (options_.regularization) scatter(drawn);
   particles_ = std::move(drawn);
   seen_ = 0;
 }
 
-Pose2 NdtMcl::estimate() const {
-  Pose2 mean;
-  double c = 0.0, s = 0.0;
-  for (const auto& [pose, weight] : particles_) {
-    mean.x += weight * pose.x;
-    mean.y += weight * pose.y;
-    c += weight * std::cos(pose.yaw);
-    s += weight * std::sin(pose.yaw);
+// Draws them together by as much as it scatters them.
+void NdtMcl::scatter(std::span<Particle> drawn) {
+  const double bandwidth = options_.regularization->bandwidths * optimal_bandwidth(options_.particles);
+  const double kept = std::sqrt(1.0 - bandwidth * bandwidth);
+  const Pose2 mean = mean_of(particles_);
+  const Eigen::Matrix3d root = covariance_root(particles_);
+  for (Particle& particle : drawn) {
+    const double first = normal(), second = normal(), third = normal();
+    const Eigen::Vector3d by = bandwidth * root * Eigen::Vector3d(first, second, third);
+    const Eigen::Vector2d at = mean.position() + kept * (particle.pose.position() - mean.position()) + by.head<2>();
+    particle.pose = {at.x(), at.y(), normalized_angle(mean.yaw + kept * normalized_angle(particle.pose.yaw - mean.yaw) + by.z())};
   }
-  mean.yaw = std::atan2(s, c);
-  return mean;
 }
+
+Pose2 NdtMcl::estimate() const { return mean_of(particles_); }
 
 }  // namespace alignability

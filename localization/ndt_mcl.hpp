@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <random>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "core/pose.hpp"
 #include "localization/motion_noise.hpp"
 #include "localization/ndt.hpp"
+#include "localization/regularization.hpp"
 
 namespace alignability {
 
@@ -26,11 +28,9 @@ struct NdtMclOptions {
   double least_height = 0.2;    ///< scan cells lower than this above `base_link` [m] are skipped: the floor tells x, y and yaw nothing
   double resample_below = 0.5;  ///< particles are drawn anew when their effective number falls below this share,
   int resample_after = 25;      ///< or after so many scans
-};
-
-struct Particle {
-  Pose2 pose;
-  double weight;
+  /// None: as published, which of starts 0.5 m and 2° off in a rich room converges from about half. With it from all that were tried, and
+  /// with the product errors are larger by half afterwards.
+  std::optional<Regularization> regularization = {};
 };
 
 /// What a match is worth: 0.1 + 0.9·exp(−0.05·d²/2), d the Mahalanobis distance of the two means under both covariances. Where the map has
@@ -57,6 +57,7 @@ class NdtMcl {
  private:
   double normal();
   void resample();
+  void scatter(std::span<Particle> drawn);
 
   std::shared_ptr<const Ndt> map_;
   NdtMclOptions options_;

@@ -114,15 +114,26 @@ double dearest(std::span<const float> cost) {
 }
 
 std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds) {
+  return fast_marching(geometry, cost, seeds, 0, {});
+}
+
+std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
+                                  std::size_t more, std::span<const MarchingLink> links) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const double step = geometry.resolution;
   const auto row = static_cast<std::size_t>(geometry.width);
-  const double longest = step * dearest(cost);
+  const std::size_t nodes = geometry.size() + more;
+  double longest = step * dearest(cost);
+  std::vector<bool> is_linked(nodes, false);
+  for (const MarchingLink& link : links) {
+    longest = std::max(longest, link.cost);
+    is_linked[link.from] = true;
+  }
   double latest_seed = 0.0;
   for (const MarchingSeed& seed : seeds) latest_seed = std::max(latest_seed, seed.cost);
   // Half a step is never more than what one node adds to another, so that none is visited twice, unless buckets were too many.
-  detail::BucketQueue queue(geometry.size(), std::max(0.5 * step, longest / 256.0), std::max(longest, latest_seed));
-  std::vector<double> to(geometry.size(), kInfinite);
+  detail::BucketQueue queue(nodes, std::max(0.5 * step, longest / 256.0), std::max(longest, latest_seed));
+  std::vector<double> to(nodes, kInfinite);
   for (const MarchingSeed& seed : seeds) {
     if (seed.cost >= to[seed.node]) continue;
     to[seed.node] = seed.cost;
@@ -140,7 +151,17 @@ std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const 
     to[node] = reached;
     queue.push(node, reached);
   };
+  const auto follow_links = [&](std::size_t node) {
+    for (const MarchingLink& link : std::ranges::equal_range(links, node, {}, &MarchingLink::from)) {
+      const double reached = to[node] + link.cost;
+      if (reached >= to[link.to]) continue;
+      to[link.to] = reached;
+      queue.push(link.to, reached);
+    }
+  };
   queue.drain([&](std::size_t node) {
+    if (is_linked[node]) follow_links(node);
+    if (node >= geometry.size()) return;
     for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) {
       if (to[next] > to[node]) update(next);
     }

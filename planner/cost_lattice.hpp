@@ -38,8 +38,18 @@ struct MarchingSeed {
   double cost;
 };
 
+/// A way from one node to another, one that is no neighbour along an axis or none of the lattice's.
+struct MarchingLink {
+  std::size_t from;
+  std::size_t to;
+  double cost;
+};
+
 /// The cost of getting to each node from the seeds, by fast marching (Sethian 1996; Godunov's upwind differences, first order): near the
 /// optimum, as a rule above it, no bound of it. Infinite where nothing leads. `cost` has a ring of infinite values. O(nodes).
 std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds);
+/// The same with `more` nodes beside the lattice's, numbered on, that links alone lead to and from; these in the order of `from`.
+std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
+                                  std::size_t more, std::span<const MarchingLink> links);
 
 }  // namespace alignability

@@ -44,10 +44,10 @@ double greatest_predicted_error(std::span<const Pose2> path, const RiskField& ri
   return most;
 }
 
-ErrorModel::Change ErrorLimit::change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
-  ErrorModel::Change change;
+ErrorLimit::Change ErrorLimit::change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
+  Change change{{}, (to - from).norm()};
   walk(from, to, risk, [&](double alpha, double metres) {
-    change = change.then(model.change(alpha, metres));
+    change.of_error = change.of_error.then(model.change(alpha, metres));
     return true;
   });
   return change;
@@ -60,6 +60,13 @@ std::optional<double> ErrorLimit::after(double error, const Eigen::Vector2d& fro
     return kept = error <= most;
   });
   return kept ? std::optional(error) : std::nullopt;
+}
+
+std::optional<double> ErrorLimit::after(double error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                        const RiskField& risk) const {
+  // Nowhere does it grow faster.
+  if (error + model.growth * change.length <= most) return std::max(model.least, change.of_error.of(error));
+  return after(error, from, to, risk);
 }
 
 }  // namespace alignability

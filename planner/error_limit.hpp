@@ -27,13 +27,25 @@ double greatest_predicted_error(std::span<const Pose2> path, const RiskField& ri
 
 /// No error above so many metres may be predicted anywhere on a path. Safe to read from many threads.
 struct ErrorLimit {
+  using State = double;  ///< the error [m]
+  struct Change {
+    ErrorModel::Change of_error;
+    double length;  ///< [m]
+  };
+
   ErrorModel model;
   double most = 0.0;  ///< [m], > 0
 
+  State at_start() const { return model.least; }
   /// What a straight way makes of an error.
-  ErrorModel::Change change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
+  Change change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
   /// What the error grows to along a straight way; nullopt where it exceeds the limit at some place of it.
-  std::optional<double> after(double error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
+  std::optional<State> after(State error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
+  /// The same, sooner, of a way whose change is known.
+  std::optional<State> after(State error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                             const RiskField& risk) const;
+  bool is_no_worse(State one, State other, double alike) const { return one <= other + alike; }
+  double urgency(State error) const { return error; }
 };
 
 }  // namespace alignability

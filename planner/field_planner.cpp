@@ -8,6 +8,7 @@
 #include "planner/car_refinement.hpp"
 #include "planner/car_search.hpp"
 #include "planner/drivability.hpp"
+#include "planner/goal_field.hpp"
 #include "planner/heading_search.hpp"
 #include "planner/planners.hpp"
 #include "planner/pose_goal.hpp"

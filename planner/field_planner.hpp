@@ -11,9 +11,8 @@ namespace alignability {
 /// Plans by the optimal cost-to-go over the plane: marches it from the goal, follows it down from the start, refines the path off the
 /// lattice by the exact cost, and returns; no sampling, no seed, the same path every time. Headings: a disk turns evenly; a footprint is
 /// taken along the plane's best paths for disks from the inscribed to the circumscribed one, with headings found by search, of which the
-/// cheapest counts. A car's path is searched for over poses (see search_car_path) and refined. Where no path comes of it (gaps hardly wider
-/// than a cell more than the robot, a footprint that must turn where the plane knows nothing of it), BIT* goes on until the termination
-/// condition.
+/// cheapest counts. A car's path is searched for over poses (see search_car_path) and refined. Where no path comes of it (a footprint that
+/// must turn where the plane knows nothing of it), BIT* goes on until the termination condition.
 ///
 /// In R², SE(2), Dubins and Reeds-Shepp spaces, one start and one goal state (a PoseGoal's tolerance is used), with a DrivabilityChecker
 /// and an AlignabilityObjective. The termination condition is asked between steps of O(cells).

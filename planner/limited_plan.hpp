@@ -10,11 +10,11 @@
 
 namespace alignability {
 
-/// Why a query's `max_error` cannot be kept whatever the path; nullopt when it may be, and where there is none.
+/// Why a query's `max_error` or `max_blind_distance` cannot be kept whatever the path; nullopt when it may be, and where there is none.
 std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::optional<ErrorModel>& model);
 
-/// A solved plan with the error that a model predicts on its path; where that exceeds the query's `max_error`, with another path that keeps
-/// it, or, where none is found, infeasible. Stopped, it may say so too early.
-PlanResult within_limit(PlanResult result, const ErrorModel& model, const DrivableArea& area, const std::stop_token& stop);
+/// A solved plan with the error that a model predicts on its path, and how blind it gets; where that exceeds the query's limit, with
+/// another path that keeps it, along which a disk turns evenly; infeasible where none is found.
+PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area, const std::stop_token& stop);
 
 }  // namespace alignability

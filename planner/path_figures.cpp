@@ -5,37 +5,9 @@
 #include <array>
 #include <cmath>
 #include <limits>
-#include <utility>
 
 namespace alignability {
 namespace {
-
-// The shares of [0,1], in order, where a quadratic crosses a level: at most two, at the ends of the array when there are fewer.
-std::array<double, 4> split_at(const Quadratic& q, double level) {
-  std::array<double, 4> cuts{0.0, 1.0, 1.0, 1.0};
-  const double c = q.c0 - level;
-  std::size_t count = 1;
-  const auto add = [&](double root) {
-    if (root > 0.0 && root < 1.0) cuts[count++] = root;
-  };
-  const double discriminant = q.c1 * q.c1 - 4.0 * q.c2 * c;
-  if (q.c2 == 0.0) {
-    if (q.c1 != 0.0) add(-c / q.c1);
-  } else if (discriminant > 0.0) {
-    // The form that does not cancel.
-    const double half = -0.5 * (q.c1 + std::copysign(std::sqrt(discriminant), q.c1));
-    add(half / q.c2);
-    if (half != 0.0) add(c / half);
-  }
-  if (cuts[1] > cuts[2]) std::swap(cuts[1], cuts[2]);
-  return cuts;
-}
-
-double least(const Quadratic& q) {
-  const double ends = std::min(q.at(0.0), q.at(1.0));
-  const double bottom = q.c2 > 0.0 ? -q.c1 / (2.0 * q.c2) : -1.0;
-  return bottom > 0.0 && bottom < 1.0 ? std::min(ends, q.at(bottom)) : ends;
-}
 
 class FigureSum {
  public:
@@ -67,14 +39,15 @@ class FigureSum {
 
  private:
   void add_piece(double length, const Quadratic& alpha) {
-    if (std::isnan(alpha.c0) || std::isnan(alpha.c1) || std::isnan(alpha.c2)) {
+    if (!alpha.is_number()) {
       add_stretch(length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
       return;
     }
     figures_.evaluated_length += length;
     alpha_integral_ += length * alpha.mean();
-    alpha_min_ = std::fmin(alpha_min_, least(alpha));
-    const auto cuts = split_at(alpha, risk_.options().alpha_critical);
+    alpha_min_ = std::fmin(alpha_min_, alpha.least());
+    const auto [first, second] = alpha.crossings(risk_.options().alpha_critical);
+    const std::array cuts{0.0, first, second, 1.0};
     for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
       if (cuts[i + 1] > cuts[i]) add_stretch(length * (cuts[i + 1] - cuts[i]), risk_.is_blind(alpha.at(0.5 * (cuts[i] + cuts[i + 1]))));
     }

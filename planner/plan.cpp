@@ -17,6 +17,7 @@
 #include <stdexcept>
 
 #include "planner/alignability_objective.hpp"
+#include "planner/alpha_floor.hpp"
 #include "planner/drivability.hpp"
 #include "planner/dubins_space.hpp"
 #include "planner/headings.hpp"
@@ -50,12 +51,26 @@ void seed_ompl(std::uint32_t seed) {
   ompl::msg::useOutputHandler(handler);
 }
 
-std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
+// But for the floor of α.
+std::optional<PlanStatus> refusal_by_obstacles(const PlanQuery& query, const DrivableArea& area) {
   if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
   if (!area.geometry().cell_near(query.goal.position())) return PlanStatus::goal_outside_map;
   if (!area.contains(query.start)) return PlanStatus::start_in_collision;
   if (!area.contains(query.goal)) return PlanStatus::goal_in_collision;
   if (!area.may_connect(query.start, query.goal, query.goal_tolerance.position)) return PlanStatus::no_path;
+  return std::nullopt;
+}
+
+// Without a way, because of obstacles or of the floor of α; of the latter the result tells which would do.
+std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area, PlanResult& result) {
+  const auto& floor = area.risk_field()->options().min_alpha;
+  if (!floor) return refusal_by_obstacles(query, area);
+  const auto risk = std::make_shared<const RiskField>(area.risk_field()->without_floor());
+  if (const auto refused = refusal_by_obstacles(query, DrivableArea(area.clearance_map(), risk, query.robot))) return refused;
+  const PlanarMotion motion{risk, area.clearance_map(), query.weight, area.inscribed_radius()};
+  result.greatest_min_alpha = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
+  if (result.greatest_min_alpha.value_or(0.0) < *floor) return PlanStatus::infeasible;
+  result.greatest_min_alpha.reset();
   return std::nullopt;
 }
 
@@ -265,7 +280,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
-  if (const auto refused = refusal(query, area)) {
+  if (const auto refused = refusal(query, area, result)) {
     result.status = *refused;
     result.seconds = watch.seconds();
     return result;
@@ -288,7 +303,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   }
   if (path && result.status != PlanStatus::interrupted) {
     describe(result, *path, objective, objective->steering(), area);
-    if (fields.error_model) result = within_limit(std::move(result), *fields.error_model, area, options.stop);
+    result = within_limit(std::move(result), fields.error_model, area, options.stop);
     if (options.stop.stop_requested()) result = interrupted(result.query);
   }
   result.seconds = watch.seconds();

@@ -46,8 +46,12 @@ struct PlanResult {
   double cost = 0.0;                  ///< of that path [equivalent m]
   std::optional<double> lower_bound;  ///< certified: no path from the start to the goal costs less; nullopt where none was sought
   PathFigures figures;
-  std::optional<double> predicted_error;         ///< the greatest on the path, 95th percentile [m]; nullopt without an error model
-  std::optional<double> smallest_max_error;      ///< of an infeasible query: the `max_error` with which a path was found
+  std::optional<double> predicted_error;      ///< the greatest on the path, 95th percentile [m]; nullopt without an error model
+  std::optional<double> longest_unrecovered;  ///< the most blind metres without finding itself [m]; nullopt without a limit of them
+  /// Of an infeasible query: limits with which a path was found, of the kind that was asked for.
+  std::optional<double> smallest_max_error;
+  std::optional<double> smallest_max_blind_distance;
+  std::optional<double> greatest_min_alpha;
   double seconds = 0.0;                          ///< the fields' construction included
   std::optional<double> first_solution_seconds;  ///< likewise; nullopt without a solution, and of planners that do not tell
 };
@@ -62,8 +66,9 @@ struct PlanningFields {
   double seconds = 0.0;  ///< that building them took
 };
 
-/// Plans with OMPL. Where the path would break the query's `max_error`, a search over places and errors looks for one that keeps it (see
-/// path_within), for the disk around the robot; infeasible where it finds none. Seeds OMPL's generators, which the whole process shares:
+/// Plans with OMPL. Where the path would break the query's `max_error` or `max_blind_distance`, a search over places and states looks for
+/// one that keeps it (see path_within), for the disk around the robot; infeasible where it finds none, and where every way leads over
+/// places below the floor of α. Seeds OMPL's generators, which the whole process shares:
 /// one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan has no
 /// path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner than
 /// `field`.

@@ -6,6 +6,7 @@
 
 #include "core/yaml_map.hpp"
 #include "costmap/map_server.hpp"
+#include "costmap/scenario_map.hpp"
 #include "planner/planners.hpp"
 
 namespace alignability {
@@ -73,6 +74,9 @@ GoalTolerance read_goal_tolerance(YamlMap yaml) {
 void read_risk(YamlMap yaml, PlanQuery& query) {
   query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
   query.max_error = yaml.find_number("max_error", kPositive);
+  query.max_blind_distance = yaml.find_number("max_blind_distance", kNotNegative);
+  query.recovery_distance = yaml.find_number("recovery_distance", kPositive).value_or(query.recovery_distance);
+  query.risk.min_alpha = yaml.find_number("min_alignability", kShare);
   query.risk.alpha_critical = yaml.find_number("alpha_critical", kShare).value_or(query.risk.alpha_critical);
   query.risk.alpha_safe = yaml.find_number("alpha_safe", kShare).value_or(query.risk.alpha_safe);
   query.risk.unknown = yaml.find_choice("unknown", kPolicies).value_or(query.risk.unknown);
@@ -94,6 +98,18 @@ PlannerChoice read_planner(YamlMap yaml) {
   return choice;
 }
 
+std::string limits_of(const PlanQuery& query) {
+  std::string limits;
+  const auto add = [&](const char* key, const std::optional<double>& value) {
+    if (value) limits.append(", ").append(key).append(": ").append(to_text(*value));
+  };
+  add("max_error", query.max_error);
+  add("min_alignability", query.risk.min_alpha);
+  add("max_blind_distance", query.max_blind_distance);
+  if (query.max_blind_distance) add("recovery_distance", query.recovery_distance);
+  return limits;
+}
+
 std::string outline(const Robot& robot) {
   if (robot.footprint.empty()) return "radius: " + to_text(robot.radius);
   std::string corners;
@@ -112,13 +128,37 @@ std::string motion_text(const Motion& motion) {
   return text;
 }
 
+std::vector<std::filesystem::path> read_alignability_paths(YamlMap& yaml) {
+  if (!yaml.is_sequence("alignability")) return {yaml.path("alignability")};
+  std::vector<std::filesystem::path> paths;
+  for (const std::string& path : yaml.texts("alignability")) paths.push_back(yaml.file().parent_path() / path);
+  if (paths.empty()) yaml.fail("alignability", "name at least one alignability map");
+  return paths;
+}
+
+AlignabilityMap read_scenarios(const ProblemFile& file) {
+  if (file.alignability.size() == 1) return read_alignability_map(file.alignability.front());
+  std::vector<AlignabilityMap> maps;
+  for (const std::filesystem::path& path : file.alignability) {
+    maps.push_back(read_alignability_map(path));
+    if (maps.back().geometry != maps.front().geometry) {
+      throw InputError(path, "has another grid than " + file.alignability.front().string() + ", a scenario of the same site");
+    }
+  }
+  return scenario_map(maps, file.scenario_quantile);
+}
+
 }  // namespace
 
 ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   YamlMap yaml = YamlMap::from_file(yaml_file);
   ProblemFile file;
   file.map = yaml.path("map");
-  file.alignability = yaml.path("alignability");
+  file.alignability = read_alignability_paths(yaml);
+  if (auto scenarios = yaml.find_map("scenarios")) {
+    file.scenario_quantile = scenarios->number("quantile", kShare);
+    scenarios->finish();
+  }
   file.scene = yaml.find_path("scene");
   file.sensor = yaml.find_path("sensor");
   file.range_max = yaml.find_number("range_max", kPositive);
@@ -136,9 +176,7 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   return file;
 }
 
-PlanProblem load_problem(const ProblemFile& file) {
-  return {read_occupancy_map(file.map), read_alignability_map(file.alignability), file.query};
-}
+PlanProblem load_problem(const ProblemFile& file) { return {read_occupancy_map(file.map), read_scenarios(file), file.query}; }
 
 const char* to_string(MotionSpace space) { return name_of(space, kSpaces); }
 
@@ -162,8 +200,8 @@ std::string to_yaml(const PlanQuery& query) {
       << "goal_tolerance: {position: " << to_text(query.goal_tolerance.position)
       << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"
       << "risk: {weight: " << to_text(query.weight) << ", alpha_critical: " << to_text(query.risk.alpha_critical)
-      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies)
-      << (query.max_error ? ", max_error: " + to_text(*query.max_error) : "") << "}\n"
+      << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies) << limits_of(query)
+      << "}\n"
       << "planner: {name: " << (query.planner.name.empty() ? kDefaultPlanner : query.planner.name);
   if (query.planner.iterations) {
     out << ", iterations: " << *query.planner.iterations;

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "costmap/alignability_map.hpp"
 #include "costmap/occupancy_map.hpp"
@@ -55,6 +56,9 @@ struct PlanQuery {
   double weight = 5.0;  ///< of the risk, >= 0
   /// The 95th percentile of the localization error that may be predicted anywhere on the path [m], > 0; comparisons pay no heed to it.
   std::optional<double> max_error = {};
+  /// How many blind metres there may be between one place where the robot finds itself and the next (see BlindLimit) [m], >= 0; likewise.
+  std::optional<double> max_blind_distance = {};
+  double recovery_distance = 1.0;  ///< safe metres on which it finds itself, > 0
   RiskOptions risk;
   PlannerChoice planner;
 };
@@ -68,7 +72,8 @@ struct PlanProblem {
 /// A problem file as DESIGN §5 has it, the files that it names not yet read. Their paths are resolved against its folder.
 struct ProblemFile {
   std::filesystem::path map;
-  std::filesystem::path alignability;
+  std::vector<std::filesystem::path> alignability;  ///< at least one; several are scenarios of one site
+  double scenario_quantile = 0.0;                   ///< of several, what counts of a cell (see scenario_map)
   std::optional<std::filesystem::path> scene;
   std::optional<std::filesystem::path> sensor;
   std::optional<double> range_max;

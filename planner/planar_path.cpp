@@ -3,41 +3,10 @@
 
 #include <limits>
 
-#include "planner/cost_lattice.hpp"
-
 namespace alignability {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
-constexpr int kStride = 4;  // [cells] along either axis that a step down the field may take
-
-template <typename Visit>
-void visit_nodes_around(const GridGeometry& grid, const Eigen::Vector2d& at, Visit visit) {
-  const Eigen::Array2d middle = ((at - grid.origin) / grid.resolution).array().round();
-  for (int y = static_cast<int>(middle.y()) - kStride; y <= middle.y() + kStride; ++y) {
-    for (int x = static_cast<int>(middle.x()) - kStride; x <= middle.x() + kStride; ++x) {
-      if (grid.contains({x, y})) visit(grid.index({x, y}), grid.corner({x, y}));
-    }
-  }
-}
-
-// What a field says of getting from a place straight to some node and on from there; ordered by cost.
-struct Step {
-  double cost = kInfinite;
-  double to_go = kInfinite;
-  Eigen::Vector2d to;
-};
-
-Step best_step(const GridGeometry& grid, const std::vector<double>& to_go, const PlanarMotion& motion, const Eigen::Vector2d& from,
-               double below) {
-  Step best;
-  visit_nodes_around(grid, from, [&](std::size_t node, const Eigen::Vector2d& at) {
-    if (!(to_go[node] < below)) return;
-    const double cost = motion.cost(from, at) + to_go[node];
-    if (cost < best.cost && motion.is_allowed(from, at)) best = {cost, to_go[node], at};
-  });
-  return best;
-}
 
 // The cheapest of the paths that leave out vertices, none further apart than the window.
 PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
@@ -84,6 +53,13 @@ bool move_vertex(PlanarPath& path, std::size_t i, const PlanarMotion& motion, do
   return false;
 }
 
+bool is_allowed(const PlanarPath& path, const PlanarMotion& motion) {
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    if (!motion.is_allowed(path[i - 1], path[i])) return false;
+  }
+  return true;
+}
+
 }  // namespace
 
 double PlanarMotion::cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
@@ -94,33 +70,11 @@ bool PlanarMotion::is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d
   return clearance->is_clear(from, to, radius) && risk->is_drivable(from, to);
 }
 
-std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
-  const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius);
-  const GridGeometry& grid = lattice.geometry;
-  const std::vector<float> cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius);
-  std::vector<MarchingSeed> seeds;
-  visit_nodes_around(grid, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
-    if (std::isfinite(cost[node]) && motion.is_allowed(at, goal)) seeds.push_back({node, motion.cost(at, goal)});
-  });
-  const std::vector<double> to_go = fast_marching(grid, cost, seeds);
-  PlanarPath path{start};
-  double below = kInfinite;
-  const double in_reach = kStride * grid.resolution;
-  while (!((path.back() - goal).norm() <= in_reach && motion.is_allowed(path.back(), goal))) {
-    const Step step = best_step(grid, to_go, motion, path.back(), below);
-    if (step.cost == kInfinite) return std::nullopt;
-    below = step.to_go;
-    path.push_back(step.to);
-  }
-  path.push_back(goal);
-  return path;
-}
-
 PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {
   path = with_shortcuts(path, motion);
   // From coarse to fine, each as fine as the curves of the path may need.
   for (const double spacing : {2.0, 1.0, 0.5, 0.25}) {
-    path = subdivided(path, spacing);
+    path = subdivided(path, spacing, motion);
     relax(path, motion, 0.25 * spacing, [](const PlanarPath&) { return true; });
     path = with_shortcuts(path, motion);
   }
@@ -149,6 +103,19 @@ PlanarPath subdivided(const PlanarPath& path, double spacing) {
     const int pieces = std::max(1, static_cast<int>(std::ceil(step.norm() / spacing)));
     for (int piece = 1; piece < pieces; ++piece) finer.push_back(path[i - 1] + step * piece / pieces);
     finer.push_back(path[i]);
+  }
+  return finer;
+}
+
+PlanarPath subdivided(const PlanarPath& path, double spacing, const PlanarMotion& motion) {
+  PlanarPath finer{path.front()};
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    const PlanarPath pieces = subdivided({path[i - 1], path[i]}, spacing);
+    if (is_allowed(pieces, motion)) {
+      finer.insert(finer.end(), pieces.begin() + 1, pieces.end());
+    } else {
+      finer.push_back(path[i]);
+    }
   }
   return finer;
 }

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <optional>
 #include <vector>
 
 #include "costmap/clearance_map.hpp"
@@ -24,13 +23,8 @@ struct PlanarMotion {
 
 using PlanarPath = std::vector<Eigen::Vector2d>;
 
-/// The path down the optimal cost-to-go from a start to a goal, from node to node of the map's lattice, each motion allowed; near the
-/// optimum of all paths by as much as fast marching is. nullopt where none leads over nodes: gaps hardly wider than the disk may have
-/// none. Both places must be allowed themselves. O(cells).
-std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
-
-/// The path freed of the lattice: shortcuts, then vertices moved and added as long as that lowers the cost by the exact integral. Ends
-/// where it did, is allowed where the path was, never costs more.
+/// A path freed of the lattice that it was found on: shortcuts, then vertices moved and added as long as that lowers the cost by the exact
+/// integral. Ends where it did, is allowed where the path was, never costs more.
 PlanarPath refined(PlanarPath path, const PlanarMotion& motion);
 
 /// Each vertex but the ends moved by steps, from `step` [m] on down to a thousandth of it, as long as that lowers the cost and leaves a
@@ -39,6 +33,8 @@ void relax(PlanarPath& path, const PlanarMotion& motion, double step, const std:
 
 /// The same way with vertices added, so that none is further from the next than `spacing` [m].
 PlanarPath subdivided(const PlanarPath& path, double spacing);
+/// Likewise, but motions that touch an obstacle and whose pieces would, by rounding, not be allowed stay whole.
+PlanarPath subdivided(const PlanarPath& path, double spacing, const PlanarMotion& motion);
 
 /// The path up to where it first comes within a distance of its end [m].
 PlanarPath cut_within(PlanarPath path, double distance);

@@ -19,6 +19,7 @@ std::vector<PlanResult> trade_off(const PlanQuery& query, const PlanningFields& 
   for (const double weight : weights) {
     PlanQuery weighted = query;
     weighted.max_error.reset();
+    weighted.max_blind_distance.reset();
     weighted.weight = weight;
     plans.push_back(plan(weighted, fields, options));
   }

@@ -21,7 +21,7 @@ std::vector<double> looks(double longest) {
   constexpr int kPieces = 5;
   std::vector<double> times;
   double from = 0.003;
-  for (const double to : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0}) {
+  for (const double to : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 60.0}) {
     for (int piece = 1; piece <= kPieces; ++piece) times.push_back(from * std::pow(to / from, static_cast<double>(piece) / kPieces));
     from = to;
   }

@@ -291,8 +291,45 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
   EXPECT_THAT(outcome.err, StartsWith("bad.yaml:6:8: unknown key 'wieght' (did you mean 'weight'?)"));
 }
 
+TEST_F(Cli, PlansBetweenStationsAndTellsOfThoseThatCannotBeReached) {
+  make_maps();
+  folder.write("stations.yaml", "stations: {dock: [1.5, 1.5, 0], door: [6.5, 4.5, 1.5], 'bay, left': [1.5, 4.5, 0]}\n");
+  const test::Outcome outcome = run({"plan", "problem.yaml", "--stations", "stations.yaml", "-o", "ways"});
+  EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+  EXPECT_THAT(outcome.out, HasSubstr("bay, left"));
+  const json ways = json::parse(std::ifstream(folder / "ways.json"));
+  EXPECT_EQ(ways["stations"], json({"dock", "door", "bay, left"}));
+  EXPECT_EQ(ways["cost"][0][0], 0.0);
+  EXPECT_NEAR(ways["cost"][0][2].get<double>(), ways["cost"][2][0].get<double>(), 1e-5);
+  EXPECT_GT(ways["paths"][0][1].size(), 1u);
+  std::ifstream csv(folder / "ways.csv");
+  const std::string text((std::istreambuf_iterator<char>(csv)), {});
+  EXPECT_THAT(text, HasSubstr("\ndock,\"bay, left\",solved,"));
+  EXPECT_EQ(std::ranges::count(text, '\n'), 10);
+  EXPECT_TRUE(std::filesystem::exists(folder / "ways.png"));
+  folder.write("stations.yaml", "stations: {dock: [1.5, 1.5, 0], lost: [100, 4.5, 1.5]}\n");
+  const test::Outcome lost = run({"plan", "problem.yaml", "--stations", "stations.yaml", "--json"});
+  EXPECT_EQ(lost.exit_code, 1);
+  EXPECT_THAT(lost.err, HasSubstr("from dock to lost: goal_outside_map"));
+  EXPECT_EQ(json::parse(lost.out)["cost"][0][1], json());
+}
+
+TEST_F(Cli, PlansWithinALimitOfBlindMetresAndAFloorOfAlignability) {
+  make_maps();
+  const json blind = json::parse(run({"plan", "problem.yaml", "--max-blind-distance", "50", "--recovery-distance", "2", "--json"}).out);
+  EXPECT_EQ(blind["options"]["risk"]["max_blind_distance"], 50.0);
+  EXPECT_EQ(blind["options"]["risk"]["recovery_distance"], 2.0);
+  EXPECT_LE(blind["longest_unrecovered"], 50.0);
+  const test::Outcome high = run({"plan", "problem.yaml", "--min-alignability", "1", "--json"});
+  EXPECT_EQ(high.exit_code, 1);
+  EXPECT_THAT(high.err, HasSubstr("no path was found that keeps the limit; there is a way with --min-alignability 0."));
+  EXPECT_EQ(json::parse(high.out)["status"], "infeasible");
+  EXPECT_LT(json::parse(high.out)["greatest_min_alignability"], 1.0);
+}
+
 TEST_F(Cli, EndsHelpWithTwoExamples) {
-  for (const std::string command : {"occupancy", "scan", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
+  for (const std::string command :
+       {"occupancy", "scan", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "core/file.hpp"
 #include "costmap/alignability_map.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/cli/small_site.hpp"
@@ -127,6 +128,15 @@ TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
   const test::Outcome outcome = run(with_half);
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
   EXPECT_THAT(outcome.out, HasSubstr("held out"));
+  folder.write("elsewhere.yaml", read_file(folder / "driving.yaml", 1000));
+  Words elsewhere = with_half;
+  elsewhere.insert(elsewhere.end() - 2, {"--held-out", "elsewhere.yaml", "round.csv", "--json"});
+  const json other = json::parse(run(elsewhere).out);
+  ASSERT_EQ(other["paths"].size(), 3u);
+  EXPECT_EQ(other["paths"][2]["problem"], "elsewhere.yaml");
+  EXPECT_TRUE(other["paths"][2]["held_out"]);
+  folder.write("elsewhere.yaml", read_file(folder / "driving.yaml", 1000) + "\nrange_max: 3\n");
+  EXPECT_THAT(run(elsewhere).err, HasSubstr("elsewhere.yaml: a model is for one way of driving, not fitted for range in full"));
   const Words plan{"plan", "driving.yaml", "--alignability", "calibrated.yaml", "--json"};
   const auto planned = [&](const std::string& max_error) {
     Words words = plan;
@@ -140,7 +150,7 @@ TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
   EXPECT_GT(solved["predicted_error"], 0.0);
   const test::Outcome strict = planned("0.00001");
   EXPECT_EQ(strict.exit_code, 1);
-  EXPECT_THAT(strict.err, HasSubstr("no path was found that keeps the limit of the error"));
+  EXPECT_THAT(strict.err, HasSubstr("no path was found that keeps the limit; one was found with --max-error"));
   EXPECT_EQ(json::parse(strict.out)["status"], "infeasible");
   EXPECT_EQ(solved["options"]["risk"]["max_error"], 5.0);
   folder.write("drive.yaml", "odometry: {scale_bias: 0.01}\n");

@@ -32,10 +32,14 @@ DrivenPath driven_by(const ErrorModel& model, const RiskField& risk, double from
   return path;
 }
 
+ErrorModel fitted_to(const std::vector<DrivenPath>& paths, const RiskField& risk) {
+  return fit_error_model(std::vector<SitePaths>{{paths, risk}}, 0);
+}
+
 TEST(FitErrorModel, FindsTheModelThatMadeTheErrors) {
   const RiskField risk = risk_along();
   const DrivenPath path = driven_by(kTruth, risk, 1.0, 59.0);
-  const ErrorModel fitted = fit_error_model({&path, 1}, 0, risk);
+  const ErrorModel fitted = fitted_to({path}, risk);
   EXPECT_NEAR(fitted.growth, kTruth.growth, 0.1 * kTruth.growth);
   EXPECT_NEAR(fitted.recovery, kTruth.recovery, 0.25 * kTruth.recovery);
   EXPECT_NEAR(fitted.least, kTruth.least, 0.01);
@@ -49,9 +53,16 @@ TEST(FitErrorModel, FindsTheModelThatMadeTheErrors) {
 TEST(FitErrorModel, IsRefusedWhereTheDrivesTellNothingOfGrowthOrOfRecovery) {
   const RiskField risk = risk_along();
   const DrivenPath rich = driven_by(kTruth, risk, 49.0, 59.0), blind = driven_by(kTruth, risk, 12.0, 23.0);
-  EXPECT_THROW(fit_error_model({&rich, 1}, 0, risk), std::invalid_argument);
-  EXPECT_THROW(fit_error_model({&blind, 1}, 0, risk), std::invalid_argument);
-  EXPECT_NO_THROW(fit_error_model(std::vector<DrivenPath>{rich, blind}, 0, risk));
+  EXPECT_THROW(fitted_to({rich}, risk), std::invalid_argument);
+  EXPECT_THROW(fitted_to({blind}, risk), std::invalid_argument);
+  EXPECT_NO_THROW(fitted_to({rich, blind}, risk));
+}
+
+TEST(FitErrorModel, FitsSeveralSitesAtOnce) {
+  const RiskField risk = risk_along(), elsewhere = risk_along();
+  const std::vector<DrivenPath> rich{driven_by(kTruth, risk, 26.0, 59.0)}, blind{driven_by(kTruth, risk, 1.0, 23.0)};
+  const std::vector<SitePaths> sites{{rich, risk}, {blind, elsewhere}};
+  EXPECT_NEAR(fit_error_model(sites, 0).growth, kTruth.growth, 0.1 * kTruth.growth);
 }
 
 TEST(CheckErrorModel, CoversNothingWhereTheErrorIsTwiceWhatIsPredicted) {

@@ -131,5 +131,41 @@ TEST(NdtMcl, RefusesToBeWithoutParticles) {
   EXPECT_THROW(NdtMcl(map, {}, {}, {.resample_after = 0}, 1), std::invalid_argument);
 }
 
+// Drawn anew once, by weights all alike: what they were drawn from tells how far each was scattered.
+TEST(NdtMcl, ScattersWhatItDrawsByAKernelOfTheBandwidthAskedForAndKeepsTheirCovariance) {
+  const auto nothing = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  constexpr int kParticles = 20000;
+  const Pose2 deviations{0.3, 0.1, 0.02};
+  NdtMclOptions options{.particles = kParticles, .resample_after = 1};
+  options.regularization = {.bandwidths = 0.5};
+  NdtMcl mcl(nothing, {1.0, 2.0, 3.0}, deviations, options, 1);
+  const std::vector<Particle> before(mcl.particles().begin(), mcl.particles().end());
+  mcl.see(*nothing);
+  const double width = 0.5 * optimal_bandwidth(kParticles);
+  const Pose2 mean = mean_of(before);
+  Eigen::Vector3d squares = Eigen::Vector3d::Zero();
+  for (std::size_t i = 0; i < before.size(); ++i) {
+    const Pose2 &from = before[i].pose, &to = mcl.particles()[i].pose;
+    const Eigen::Vector3d was(from.x - mean.x, from.y - mean.y, normalized_angle(from.yaw - mean.yaw));
+    const Eigen::Vector3d is(to.x - mean.x, to.y - mean.y, normalized_angle(to.yaw - mean.yaw));
+    squares += (is - std::sqrt(1.0 - width * width) * was).cwiseAbs2() / kParticles;
+  }
+  EXPECT_NEAR(std::sqrt(squares.x()) / (width * deviations.x), 1.0, 0.03);
+  EXPECT_NEAR(std::sqrt(squares.y()) / (width * deviations.y), 1.0, 0.03);
+  EXPECT_NEAR(std::sqrt(squares.z()) / (width * deviations.yaw), 1.0, 0.03);
+  const Eigen::Matrix3d was = covariance_root(before), is = covariance_root(mcl.particles());
+  EXPECT_TRUE((is * is.transpose()).isApprox(was * was.transpose(), 0.03));
+}
+
+TEST(NdtMcl, RefusesARegularizationThatNoScanCouldSatisfy) {
+  const auto map = std::make_shared<const Ndt>(std::vector<Eigen::Vector3f>{}, NdtOptions{});
+  const auto with = [&](const Regularization& regularization) { return NdtMcl(map, {}, {}, {.regularization = regularization}, 1); };
+  EXPECT_NO_THROW(with({.least_effective = 0.49}));
+  EXPECT_THROW(with({.least_effective = 0.5}), std::invalid_argument);
+  EXPECT_THROW(with({.least_effective = 0.0}), std::invalid_argument);
+  EXPECT_THROW(with({.bandwidths = -0.1}), std::invalid_argument);
+  EXPECT_THROW(with({.bandwidths = 1.1}), std::invalid_argument);
+}
+
 }  // namespace
 }  // namespace alignability

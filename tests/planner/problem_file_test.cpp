@@ -38,7 +38,7 @@ class ProblemFileTest : public testing::Test {
 TEST_F(ProblemFileTest, ReadsEveryKey) {
   const ProblemFile problem = read(kGood);
   EXPECT_EQ(problem.map, folder / "maps/hall.yaml");
-  EXPECT_EQ(problem.alignability, folder / "hall_alignability.yaml");
+  EXPECT_EQ(problem.alignability, std::vector{folder / "hall_alignability.yaml"});
   EXPECT_EQ(problem.scene, folder / "hall.sdf");
   EXPECT_EQ(problem.sensor, folder / "../sensors/hdl32e.yaml");
   EXPECT_EQ(problem.range_max, 6.5);
@@ -66,6 +66,48 @@ TEST_F(ProblemFileTest, FillsInTheDefaultsOfTheTypes) {
   EXPECT_EQ(problem.query.motion.space, MotionSpace::se2);
   EXPECT_EQ(problem.query.risk.unknown, UnknownPolicy::risky);
   EXPECT_TRUE(problem.query.planner.name.empty());
+}
+
+TEST_F(ProblemFileTest, ReadsLimits) {
+  const std::string maps = "map: m.yaml\nalignability: a.yaml\nrobot: {radius: 1}\nstart: [0, 0, 0]\ngoal: [1, 1, 0]\n";
+  const PlanQuery query =
+      read(maps + "risk: {max_blind_distance: 0, recovery_distance: 2, min_alignability: 0.05, max_error: 0.2}\n").query;
+  EXPECT_EQ(query.max_blind_distance, 0.0);
+  EXPECT_EQ(query.recovery_distance, 2.0);
+  EXPECT_EQ(query.risk.min_alpha, 0.05);
+  EXPECT_EQ(query.max_error, 0.2);
+  EXPECT_EQ(to_yaml(read(maps.substr(0, maps.find("robot")) + to_yaml(query)).query), to_yaml(query));
+  EXPECT_THROW(read(maps + "risk: {max_blind_distance: -1}\n"), InputError);
+  EXPECT_THROW(read(maps + "risk: {recovery_distance: 0}\n"), InputError);
+  EXPECT_THROW(read(maps + "risk: {min_alignability: 1.1}\n"), InputError);
+}
+
+TEST_F(ProblemFileTest, NamesSeveralAlignabilityMapsAsScenarios) {
+  const std::string rest = "robot: {radius: 1}\nstart: [0, 0, 0]\ngoal: [1, 1, 0]\n";
+  const ProblemFile racks = read("map: m.yaml\nalignability: [full.yaml, sub/empty.yaml]\nscenarios: {quantile: 0.25}\n" + rest);
+  EXPECT_EQ(racks.alignability, (std::vector{folder / "full.yaml", folder / "sub/empty.yaml"}));
+  EXPECT_EQ(racks.scenario_quantile, 0.25);
+  EXPECT_EQ(read("map: m.yaml\nalignability: [full.yaml, empty.yaml]\n" + rest).scenario_quantile, 0.0) << "the worst case";
+  EXPECT_THROW(read("map: m.yaml\nalignability: []\n" + rest), InputError);
+  EXPECT_THROW(read("map: m.yaml\nalignability: [a.yaml]\nscenarios: {quantile: 2}\n" + rest), InputError);
+}
+
+TEST_F(ProblemFileTest, TakesTheWorstOfItsScenarios) {
+  AlignabilityMap map;
+  map.geometry = {.resolution = 1.0, .width = 2, .height = 1};
+  map.layers = {{"alpha", Grid<float>(map.geometry, std::vector{0.2f, 0.7f})}};
+  write_alignability_map(map, folder / "full");
+  map.layers = {{"alpha", Grid<float>(map.geometry, std::vector{0.5f, 0.1f})}};
+  write_alignability_map(map, folder / "empty");
+  write_file(folder / "m.pgm", "P5 2 1 255\n" + std::string(2, '\xfe'));
+  write_file(folder / "m.yaml", "image: m.pgm\nresolution: 1\norigin: [0, 0, 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  const std::string text =
+      "map: m.yaml\nalignability: [full.yaml, empty.yaml]\nrobot: {radius: 0.1}\nstart: [0.5, 0.5, 0]\ngoal: [1.5, 0.5, 0]\n";
+  EXPECT_EQ(load_problem(read(text)).alignability.alpha().values(), (std::vector{0.2f, 0.1f}));
+  map.geometry.width = 1;
+  map.layers = {{"alpha", Grid<float>(map.geometry, std::vector{0.5f})}};
+  write_alignability_map(map, folder / "empty");
+  EXPECT_THROW(load_problem(read(text)), InputError);
 }
 
 TEST_F(ProblemFileTest, IsWrittenOutAsItWasRead) {

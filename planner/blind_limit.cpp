@@ -1,0 +1,81 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "planner/blind_limit.hpp"
+
+namespace alignability {
+namespace {
+
+Ground ground_at(double alpha, const RiskField& risk) {
+  if (risk.is_blind(alpha)) return Ground::blind;
+  return alpha >= risk.options().alpha_safe ? Ground::safe : Ground::poor;
+}
+
+// Calls `visit(ground, metres)` for each stretch of a straight way, in order.
+template <typename Visit>
+void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk, Visit visit) {
+  const double length = (to - from).norm();
+  risk.alpha_layer().visit(from, to, [&](double share, const Quadratic& alpha) {
+    if (!alpha.is_number()) return visit(ground_at(std::numeric_limits<double>::quiet_NaN(), risk), share * length);
+    const auto [a, b] = alpha.crossings(risk.options().alpha_critical);
+    const auto [c, d] = alpha.crossings(risk.options().alpha_safe);
+    std::array cuts{0.0, a, b, c, d, 1.0};
+    std::ranges::sort(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      if (cuts[i + 1] > cuts[i]) visit(ground_at(alpha.at(0.5 * (cuts[i] + cuts[i + 1])), risk), share * length * (cuts[i + 1] - cuts[i]));
+    }
+  });
+}
+
+BlindState moved(BlindState state, Ground ground, double metres, double recovery) {
+  if (ground == Ground::blind) return {state.blind + metres, 0.0};
+  if (ground == Ground::poor) return {state.blind, 0.0};
+  state.safe += metres;
+  if (state.safe >= recovery) state.blind = 0.0;
+  return state;
+}
+
+}  // namespace
+
+std::optional<BlindState> BlindLimit::after(State state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
+                                            const RiskField& risk) const {
+  bool kept = true;
+  walk(from, to, risk, [&](Ground ground, double metres) {
+    state = moved(state, ground, metres, recovery);
+    kept = kept && state.blind <= most;
+  });
+  return kept ? std::optional(state) : std::nullopt;
+}
+
+BlindLimit::Change BlindLimit::change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
+  Change change{std::nullopt, (to - from).norm()};
+  bool is_first = true;
+  walk(from, to, risk, [&](Ground ground, double) {
+    if (is_first || change.all == ground) {
+      change.all = ground;
+    } else {
+      change.all.reset();
+    }
+    is_first = false;
+  });
+  return change;
+}
+
+std::optional<BlindState> BlindLimit::after(const State& state, const Change& change, const Eigen::Vector2d& from,
+                                            const Eigen::Vector2d& to, const RiskField& risk) const {
+  if (!change.all) return after(state, from, to, risk);
+  const State then = moved(state, *change.all, change.length, recovery);
+  return then.blind <= most ? std::optional(then) : std::nullopt;
+}
+
+double longest_unrecovered(std::span<const Pose2> path, const RiskField& risk, double recovery) {
+  double longest = 0.0;
+  BlindState state;
+  for (std::size_t i = 1; i < path.size(); ++i) {
+    walk(path[i - 1].position(), path[i].position(), risk, [&](Ground ground, double metres) {
+      state = moved(state, ground, metres, recovery);
+      longest = std::max(longest, state.blind);
+    });
+  }
+  return longest;
+}
+
+}  // namespace alignability
