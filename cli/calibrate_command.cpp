@@ -55,7 +55,7 @@ std::vector<std::unique_ptr<Site>> sites_of(const Options& options) {
   const auto add = [&](const std::vector<std::filesystem::path>& files, std::vector<DrivenPath> Site::*paths) {
     Site* site = sites.front().get();
     for (const std::filesystem::path& file : files) {
-      if (file.extension() == ".yaml") {
+      if (file.extension() == ".yaml" || file.extension() == ".yml") {
         site = &site_of(file);
       } else {
         (site->*paths).push_back(std::move(read_paths({&file, 1}).front()));
@@ -119,7 +119,7 @@ Calibration checked_calibration(const std::vector<std::unique_ptr<Site>>& sites,
     if (!first) first = calibration;
     const std::vector<std::string> differences = mismatches(*first, calibration);
     if (!differences.empty())
-      throw InputError(site->problem_file, "a model is for one way of driving, not " + differences.front() + " here");
+      throw InputError(site->problem_file, "an error model is for one way of driving: " + differences.front() + " here");
   }
   return *first;
 }

@@ -87,7 +87,7 @@ int say_no(const std::filesystem::path& problem_file, const PlanResult& result) 
   if (result.smallest_max_blind_distance) {
     std::cerr << "; one was found with --max-blind-distance " << hundredths_up(*result.smallest_max_blind_distance);
   }
-  if (result.greatest_min_alpha) std::cerr << "; there is a way with --min-alignability " << to_text(*result.greatest_min_alpha);
+  if (result.greatest_min_alpha) std::cerr << "; one was found with --min-alignability " << to_text(*result.greatest_min_alpha);
   std::cerr << '\n';
   return kNo;
 }

@@ -109,11 +109,15 @@ void add_plan(CLI::App& app, Work& work) {
       ->add_option("--max-blind-distance", options->max_blind_distance,
                    "Blind metres that there may be between one place where the robot finds itself and the next")
       ->check(CLI::NonNegativeNumber);
-  command->add_option("--recovery-distance", options->recovery_distance, "Safe metres without a break on which it finds itself (1)")
+  command
+      ->add_option("--recovery-distance", options->recovery_distance,
+                   "Safe metres without a break on which it finds itself, for --max-blind-distance (1 unless the file says)")
       ->check(CLI::PositiveNumber);
-  command->add_option("--min-alignability", options->min_alignability, "Places below it are shut")->check(CLI::Range(0.0, 1.0));
+  command->add_option("--min-alignability", options->min_alignability, "Places whose alignability is less, or unknown, are shut")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--stations", options->stations,
-                      "File that names stations: plan from each to each instead, and give the matrix of costs");
+                      "File that names stations: plan from each to each instead of from start to goal, with the planner field, and give "
+                      "the matrix of costs");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways");
   command->footer(

@@ -14,13 +14,14 @@
 namespace alignability::cli {
 namespace {
 
-// Each way once, as the way back is the same.
+// Each way once: the way back is the same or much like it.
 void draw_ways(const PlanProblem& problem, const RiskField& risk, const StationPlans& plans, const std::filesystem::path& png) {
   std::vector<DrawnPath> ways;
   for (std::size_t from = 0; from < plans.size(); ++from) {
     for (std::size_t to = from + 1; to < plans.size(); ++to) {
-      if (plans[from][to].status != PlanStatus::solved) continue;
-      ways.push_back(drawn(plans[from][to], risk, "", kRiskAwareColour, LineStyle::solid));
+      const PlanResult& way = plans[from][to].status == PlanStatus::solved ? plans[from][to] : plans[to][from];
+      if (way.status != PlanStatus::solved) continue;
+      ways.push_back(drawn(way, risk, "", kRiskAwareColour, LineStyle::solid));
       ways.back().label.clear();
     }
   }

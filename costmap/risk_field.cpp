@@ -77,9 +77,10 @@ bool RiskField::is_drivable(const Arc& arc) const {
   return drivable;
 }
 
-RiskField RiskField::without_floor() const {
+RiskField RiskField::with_floor(std::optional<double> min_alpha) const {
   RiskField field = *this;
-  field.options_.min_alpha.reset();
+  field.options_.min_alpha = min_alpha;
+  checked(field.options_);
   return field;
 }
 

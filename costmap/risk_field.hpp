@@ -33,8 +33,8 @@ class RiskField {
   RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options);
 
   const RiskOptions& options() const { return options_; }
-  /// The same field, but that it forbids no place for its α.
-  RiskField without_floor() const;
+  /// The same field with another floor, or none.
+  RiskField with_floor(std::optional<double> min_alpha) const;
 
   /// A field of one layer takes no notice of yaw.
   double risk(double x, double y, double yaw) const;

@@ -7,9 +7,9 @@
 
 namespace alignability {
 
-/// The greatest alignability that some way from a start to a goal keeps at every place, both ends included, over the corners of the map's
-/// cells, rounded down to a thousandth; nullopt where every way leads over places without a value. The motion's own floor is left out of
-/// account. O(cells).
+/// No way of a disk from a start to a goal keeps an alignability above this at every place, both ends included: a proof, by flooding cells,
+/// those with the greatest α first, in which some point could hold the disk. nullopt where all ways lead over places without a value. The
+/// motion's own floor is left out of account. O(cells · log cells).
 std::optional<double> greatest_alpha_floor(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
 
 }  // namespace alignability

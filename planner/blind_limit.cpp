@@ -40,7 +40,7 @@ std::optional<BlindState> BlindLimit::after(State state, const Eigen::Vector2d& 
   bool kept = true;
   walk(from, to, risk, [&](Ground ground, double metres) {
     state = moved(state, ground, metres, recovery);
-    kept = kept && state.blind <= most;
+    kept = kept && state.blind <= most + kRounding;
   });
   return kept ? std::optional(state) : std::nullopt;
 }
@@ -63,7 +63,7 @@ std::optional<BlindState> BlindLimit::after(const State& state, const Change& ch
                                             const Eigen::Vector2d& to, const RiskField& risk) const {
   if (!change.all) return after(state, from, to, risk);
   const State then = moved(state, *change.all, change.length, recovery);
-  return then.blind <= most ? std::optional(then) : std::nullopt;
+  return then.blind <= most + kRounding ? std::optional(then) : std::nullopt;
 }
 
 double longest_unrecovered(std::span<const Pose2> path, const RiskField& risk, double recovery) {

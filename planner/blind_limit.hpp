@@ -25,6 +25,8 @@ struct BlindState {
 /// At most so many metres may be blind between one place where a robot finds itself and the next: it does at the start, and after
 /// `recovery` safe metres without a break. Poor ground counts for neither. Exact: no sampling. Safe to read from many threads.
 struct BlindLimit {
+  static constexpr double kRounding = 1e-9;  ///< [m] by which sums over a path may exceed it
+
   using State = BlindState;
   /// Of ground that is all of one kind: which. Else it is looked at again.
   struct Change {
@@ -43,7 +45,7 @@ struct BlindLimit {
   std::optional<State> after(const State& state, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                              const RiskField& risk) const;
   bool is_no_worse(const State& one, const State& other, double alike) const {
-    return one.blind <= other.blind + alike && (one.blind == 0.0 || one.safe >= other.safe - alike);
+    return one.blind <= other.blind + alike * most && (one.blind == 0.0 || one.safe >= other.safe - alike * recovery);
   }
   double urgency(const State& state) const { return state.blind; }
 };

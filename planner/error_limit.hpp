@@ -44,7 +44,7 @@ struct ErrorLimit {
   /// The same, sooner, of a way whose change is known.
   std::optional<State> after(State error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                              const RiskField& risk) const;
-  bool is_no_worse(State one, State other, double alike) const { return one <= other + alike; }
+  bool is_no_worse(State one, State other, double alike) const { return one <= other + alike * most; }
   double urgency(State error) const { return error; }
 };
 

@@ -22,41 +22,34 @@ PlanResult infeasible(const PlanResult& result) {
   return none;
 }
 
-struct Ends {
-  Eigen::Vector2d start;
-  Eigen::Vector2d goal;
-};
-
-PlanResult within_error(const PlanResult& result, const ErrorModel& model, const PlanarMotion& motion, const Ends& ends,
+PlanResult within_error(const PlanResult& result, const ErrorModel& model, const PlanarMotion& motion, const LimitedWay& way,
                         const std::stop_token& stop) {
   const double most = *result.query.max_error;
   for (const double stricter : kStricter) {
-    const auto path = path_within(motion, {model, stricter * most}, ends.start, ends.goal, stop);
+    const auto path = path_within(motion, {model, stricter * most}, way, stop);
     if (!path) break;
     PlanResult limited = solved_along(*path, result.query, *motion.risk);
     limited.lower_bound = result.lower_bound;
-    limited.first_solution_seconds = result.first_solution_seconds;
     limited.predicted_error = greatest_predicted_error(limited.path, *motion.risk, model);
     if (*limited.predicted_error <= most) return limited;
   }
   PlanResult none = infeasible(result);
   // What the path without a limit comes to will do in any case.
-  const auto smallest = smallest_limit(motion, model, ends.start, ends.goal, stop);
+  const auto smallest = smallest_limit(motion, model, way, stop);
   none.smallest_max_error = std::min(*result.predicted_error, smallest.value_or(*result.predicted_error) / kStricter[0]);
   return none;
 }
 
-PlanResult within_blind_distance(const PlanResult& result, const PlanarMotion& motion, const Ends& ends, const std::stop_token& stop) {
+PlanResult within_blind_distance(const PlanResult& result, const PlanarMotion& motion, const LimitedWay& way, const std::stop_token& stop) {
   const double recovery = result.query.recovery_distance;
-  if (const auto path = path_within(motion, BlindLimit{*result.query.max_blind_distance, recovery}, ends.start, ends.goal, stop)) {
+  if (const auto path = path_within(motion, BlindLimit{*result.query.max_blind_distance, recovery}, way, stop)) {
     PlanResult limited = solved_along(*path, result.query, *motion.risk);
     limited.lower_bound = result.lower_bound;
-    limited.first_solution_seconds = result.first_solution_seconds;
     limited.longest_unrecovered = longest_unrecovered(limited.path, *motion.risk, recovery);
-    return limited;
+    if (*limited.longest_unrecovered <= *result.query.max_blind_distance + BlindLimit::kRounding) return limited;
   }
   PlanResult none = infeasible(result);
-  const auto smallest = smallest_blind_limit(motion, recovery, ends.start, ends.goal, stop);
+  const auto smallest = smallest_blind_limit(motion, recovery, way, stop);
   none.smallest_max_blind_distance = std::min(*result.longest_unrecovered, smallest.value_or(*result.longest_unrecovered));
   return none;
 }
@@ -76,12 +69,14 @@ std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::o
 PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area, const std::stop_token& stop) {
   const PlanQuery& query = result.query;
   const PlanarMotion motion{area.risk_field(), area.clearance_map(), query.weight, area.circumscribed_radius()};
-  const Ends ends{query.start.position(), query.goal.position()};
+  // Short of the tolerance by as much as the path is cut.
+  const LimitedWay way{query.start.position(), query.goal.position(), (1.0 - 1e-6) * query.goal_tolerance.position};
   if (model) result.predicted_error = greatest_predicted_error(result.path, *motion.risk, *model);
-  if (query.max_error && *result.predicted_error > *query.max_error) return within_error(result, *model, motion, ends, stop);
+  if (query.max_error && *result.predicted_error > *query.max_error) return within_error(result, *model, motion, way, stop);
   if (query.max_blind_distance) {
     result.longest_unrecovered = longest_unrecovered(result.path, *motion.risk, query.recovery_distance);
-    if (*result.longest_unrecovered > *query.max_blind_distance) return within_blind_distance(result, motion, ends, stop);
+    if (*result.longest_unrecovered > *query.max_blind_distance + BlindLimit::kRounding)
+      return within_blind_distance(result, motion, way, stop);
   }
   return result;
 }

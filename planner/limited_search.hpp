@@ -10,7 +10,7 @@
 #include <stop_token>
 #include <vector>
 
-#include "planner/planar_path.hpp"
+#include "planner/limited_path.hpp"
 
 namespace alignability::detail {
 
@@ -21,50 +21,47 @@ namespace alignability::detail {
 ///     State at_start() const;
 ///     Change change(from, to, risk) const;                                        // of a straight way, to be kept
 ///     std::optional<State> after(state, change, from, to, risk) const;            // nullopt where the limit is broken on it
-///     bool is_no_worse(const State& one, const State& other, double alike) const; // for all that may follow, but for so much
+///     bool is_no_worse(const State& one, const State& other, double alike) const; // but for such a share of what the limit allows
 ///     double urgency(const State& state) const;                                   // the less, the sooner followed in search of any way
 ///
 /// `is_no_worse` must hold on: whatever straight way is taken from there, of two such states the one stays no worse.
 template <typename Limit>
 class LimitedSearch {
  public:
-  /// Over places every `spacing` metres. Start and goal must be allowed. O(area / spacing²).
-  LimitedSearch(const PlanarMotion& motion, const Limit& limit, double spacing, const Eigen::Vector2d& start, const Eigen::Vector2d& goal)
-      : motion_(motion),
-        limit_(limit),
-        grid_(grid_over(motion.clearance->geometry(), spacing)),
-        start_(start),
-        goal_(goal),
-        edges_(grid_.size() + 2) {
+  /// Over places every `spacing` metres. Start and goal must be allowed. Within the tolerance of the goal the limit need not be kept: the
+  /// way ends there. O(area / spacing²), some 500 bytes a place.
+  LimitedSearch(const PlanarMotion& motion, const Limit& limit, double spacing, const LimitedWay& way)
+      : motion_(motion), limit_(limit), grid_(grid_over(motion.clearance->geometry(), spacing)), way_(way), edges_(grid_.size() + 2) {
     for (std::size_t node = 0; node < grid_.size(); ++node) {
       if (motion_.is_allowed(place(node), place(node))) connect(node);
     }
-    connect_near(at_start());
-    connect_near(at_goal());
+    connect_near(at_start(), kNear);
+    connect_near(at_goal(), kNear + static_cast<int>(std::ceil(way.tolerance / spacing)));
     join(at_start(), at_goal());
   }
 
   std::size_t size() const { return edges_.size(); }
 
-  /// Whether any way keeps the limit; false too when stopped.
-  bool is_feasible(const Limit& limit, double alike, const std::stop_token& stop) const {
+  /// Some way that keeps a limit; nullopt where there is none, and when stopped.
+  std::optional<PlanarPath> any(const Limit& limit, double alike, const std::stop_token& stop) const {
     Fronts fronts(size());
     std::vector<Label> labels{{at_start(), 0, 0.0, limit.at_start()}};
     Queue queue;
     queue.push({limit.urgency(labels.front().state), 0});
     while (!queue.empty() && !stop.stop_requested()) {
-      const Label label = labels[queue.top().second];
+      const std::size_t number = queue.top().second;
       queue.pop();
-      if (label.node == at_goal()) return true;
+      const Label label = labels[number];
+      if (label.node == at_goal()) return path_of(labels, number);
       if (!fronts.improve(label, limit, alike)) continue;
       for (const Edge& edge : edges_[label.node]) {
         const auto state = after(limit, label, edge);
         if (!state || !fronts.would_improve(edge.to, *state, limit, alike)) continue;
-        labels.push_back({edge.to, 0, 0.0, *state});
+        labels.push_back({edge.to, number, 0.0, *state});
         queue.push({limit.urgency(*state), labels.size() - 1});
       }
     }
-    return false;
+    return std::nullopt;
   }
 
   /// The cheapest way that keeps the limit, but for what `alike` costs; nullopt where there is none, and when stopped. By A* over labels, a
@@ -94,6 +91,7 @@ class LimitedSearch {
   }
 
  private:
+  static constexpr int kNear = 2;  // [places] along either axis that start and goal are joined to
   static constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
   using State = typename Limit::State;
@@ -136,7 +134,7 @@ class LimitedSearch {
   std::size_t at_start() const { return grid_.size(); }
   std::size_t at_goal() const { return grid_.size() + 1; }
   Eigen::Vector2d place(std::size_t node) const {
-    return node == at_start() ? start_ : node == at_goal() ? goal_ : grid_.center(grid_.cell_of(node));
+    return node == at_start() ? way_.start : node == at_goal() ? way_.goal : grid_.center(grid_.cell_of(node));
   }
 
   static GridGeometry grid_over(const GridGeometry& map, double spacing) {
@@ -156,11 +154,10 @@ class LimitedSearch {
     }
   }
 
-  void connect_near(std::size_t node) {
-    constexpr int kReach = 2;
+  void connect_near(std::size_t node, int reach) {
     const Eigen::Array2d at = ((place(node) - grid_.origin) / grid_.resolution).array().floor();
-    for (int y = static_cast<int>(at.y()) - kReach; y <= at.y() + kReach; ++y) {
-      for (int x = static_cast<int>(at.x()) - kReach; x <= at.x() + kReach; ++x) {
+    for (int y = static_cast<int>(at.y()) - reach; y <= at.y() + reach; ++y) {
+      for (int x = static_cast<int>(at.x()) - reach; x <= at.x() + reach; ++x) {
         if (grid_.contains({x, y})) join(node, grid_.index({x, y}));
       }
     }
@@ -169,12 +166,17 @@ class LimitedSearch {
   void join(std::size_t a, std::size_t b) {
     if (!motion_.is_allowed(place(a), place(b))) return;
     const double cost = motion_.cost(place(a), place(b));
-    edges_[a].push_back({b, cost, limit_.change(place(a), place(b), *motion_.risk)});
-    edges_[b].push_back({a, cost, limit_.change(place(b), place(a), *motion_.risk)});
+    edges_[a].push_back({b, cost, limit_.change(place(a), end(a, b), *motion_.risk)});
+    edges_[b].push_back({a, cost, limit_.change(place(b), end(b, a), *motion_.risk)});
+  }
+
+  // Of the way from one place to another, which at the goal ends as soon as it is within the tolerance.
+  Eigen::Vector2d end(std::size_t from, std::size_t to) const {
+    return to == at_goal() ? cut_within({place(from), way_.goal}, way_.tolerance).back() : place(to);
   }
 
   std::optional<State> after(const Limit& limit, const Label& label, const Edge& edge) const {
-    return limit.after(label.state, edge.change, place(label.node), place(edge.to), *motion_.risk);
+    return limit.after(label.state, edge.change, place(label.node), end(label.node, edge.to), *motion_.risk);
   }
 
   // What getting to the goal costs where no limit is kept.
@@ -208,8 +210,7 @@ class LimitedSearch {
   const PlanarMotion& motion_;
   Limit limit_;
   GridGeometry grid_;
-  Eigen::Vector2d start_;
-  Eigen::Vector2d goal_;
+  LimitedWay way_;
   std::vector<std::vector<Edge>> edges_;
 };
 

@@ -12,6 +12,7 @@
 
 #include <atomic>
 #include <chrono>
+#include <cmath>
 #include <future>
 #include <mutex>
 #include <stdexcept>
@@ -61,17 +62,14 @@ std::optional<PlanStatus> refusal_by_obstacles(const PlanQuery& query, const Dri
   return std::nullopt;
 }
 
-// Without a way, because of obstacles or of the floor of α; of the latter the result tells which would do.
-std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area, PlanResult& result) {
+std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
   const auto& floor = area.risk_field()->options().min_alpha;
   if (!floor) return refusal_by_obstacles(query, area);
-  const auto risk = std::make_shared<const RiskField>(area.risk_field()->without_floor());
+  const auto risk = std::make_shared<const RiskField>(area.risk_field()->with_floor(std::nullopt));
   if (const auto refused = refusal_by_obstacles(query, DrivableArea(area.clearance_map(), risk, query.robot))) return refused;
   const PlanarMotion motion{risk, area.clearance_map(), query.weight, area.inscribed_radius()};
-  result.greatest_min_alpha = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
-  if (result.greatest_min_alpha.value_or(0.0) < *floor) return PlanStatus::infeasible;
-  result.greatest_min_alpha.reset();
-  return std::nullopt;
+  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
+  return greatest && *greatest >= *floor ? std::nullopt : std::optional(PlanStatus::infeasible);
 }
 
 // As OMPL's, but that planners are to check the way back on its own: of two words as short it may be another.
@@ -229,6 +227,26 @@ std::future<double> least_along(const PlanQuery& query, const DrivableArea& area
   });
 }
 
+// Of floors at which there may be a way, the first of a few, from the greatest down, with which a path is found.
+std::optional<double> floor_with_a_path(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options) {
+  constexpr double kLower[] = {0.0, 0.002, 0.01, 0.03, 0.1, 0.2};
+  const PlanarMotion motion{fields.risk, fields.clearance, query.weight, inscribed_radius(query.robot)};
+  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
+  if (!greatest) return std::nullopt;
+  PlanQuery lower = query;
+  lower.max_error.reset();
+  lower.max_blind_distance.reset();
+  lower.planner = {.name = kDefaultPlanner, .time = 0.2};
+  for (const double by : kLower) {
+    PlanningFields lowered = fields;
+    const double floor = std::floor(1000.0 * (*greatest - by)) / 1000.0;
+    if (floor < 0.0 || options.stop.stop_requested()) break;
+    lowered.risk = std::make_shared<const RiskField>(fields.risk->with_floor(floor));
+    if (plan(lower, lowered, options).status == PlanStatus::solved) return floor;
+  }
+  return std::nullopt;
+}
+
 PlanResult interrupted(const PlanQuery& query) {
   PlanResult result;
   result.status = PlanStatus::interrupted;
@@ -280,8 +298,9 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
-  if (const auto refused = refusal(query, area, result)) {
+  if (const auto refused = refusal(query, area)) {
     result.status = *refused;
+    if (*refused == PlanStatus::infeasible) result.greatest_min_alpha = floor_with_a_path(query, fields, options);
     result.seconds = watch.seconds();
     return result;
   }

@@ -67,8 +67,8 @@ struct PlanningFields {
 };
 
 /// Plans with OMPL. Where the path would break the query's `max_error` or `max_blind_distance`, a search over places and states looks for
-/// one that keeps it (see path_within), for the disk around the robot; infeasible where it finds none, and where every way leads over
-/// places below the floor of α. Seeds OMPL's generators, which the whole process shares:
+/// one that keeps it (see path_within), for the disk around the robot; infeasible where it finds none, and where
+/// every way, start and goal included, leads over places below the floor of α. Seeds OMPL's generators, which the whole process shares:
 /// one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan has no
 /// path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner than
 /// `field`.

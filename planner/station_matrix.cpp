@@ -36,7 +36,7 @@ class Matrix {
   // The ways between a station and those before it, and itself.
   void add(std::size_t to) {
     std::optional<GoalField> field;
-    if (is_allowed(to)) field.emplace(lattice_, place(to));
+    if (is_disk() && is_allowed(to)) field.emplace(lattice_, place(to));
     for (std::size_t from = 0; from <= to; ++from) {
       if (stop_.stop_requested()) throw Interrupted();
       const auto steepest = field && is_allowed(from) ? field->path_from(place(from)) : std::nullopt;
@@ -54,14 +54,17 @@ class Matrix {
   std::vector<std::vector<PlanResult>> plans() && { return std::move(plans_); }
 
  private:
+  bool is_disk() const { return query_.robot.footprint.empty(); }
   Eigen::Vector2d place(std::size_t station) const { return stations_[station].pose.position(); }
   bool is_allowed(std::size_t station) const { return motion_.is_allowed(place(station), place(station)); }
   PlanResult along(const PlanarPath& path, std::size_t from, std::size_t to) const {
     return solved_along(path, between(stations_[from], stations_[to], query_), *fields_.risk);
   }
-  // Where no way is in the plane's field: a footprint may pass where its disk does not, and a plan tells why there is none.
+  // Of a footprint, which may pass where its disk does not; and where no way is in the field, as a plan tells why.
   PlanResult searched(std::size_t from, std::size_t to) const {
-    return plan(between(stations_[from], stations_[to], query_), fields_, {.stop = stop_});
+    PlanResult found = plan(between(stations_[from], stations_[to], query_), fields_, {.stop = stop_});
+    if (found.status == PlanStatus::interrupted) throw Interrupted();
+    return found;
   }
 
   std::span<const Station> stations_;

@@ -15,11 +15,11 @@ struct StationMatrixOptions {
   std::stop_token stop = {};
 };
 
-/// A plan from each station to each other, [from][to], exactly to its pose; on the diagonal one that stands. They are what the planner
-/// `field` makes for the disk around the robot, which turns evenly, the way back being the way there. Where that has no way, a plan of its
-/// own is made for the robot itself. One field a station: O(stations · cells), and what refining stations² / 2 paths takes. What the query
-/// says of start, goal, its tolerance and the planner is left out of account; no lower bounds are sought. Throws Interrupted, and
-/// std::invalid_argument where the query has a limit that depends on the way.
+/// A plan from each station to each other, [from][to], to within a micrometre; on the diagonal one that stands. They are what the planner
+/// `field` makes. Of a disk, which turns evenly, the way back is the way there: one field a station, O(stations · cells), and what refining
+/// stations² / 2 paths takes; no lower bounds are sought. A footprint is planned for pair by pair, and so is a disk where its field has no
+/// way, to tell why. What the query says of start, goal, its tolerance and the planner's name is left out of account. Throws Interrupted,
+/// and std::invalid_argument where the query has a limit that depends on the way.
 std::vector<std::vector<PlanResult>> plan_between(std::span<const Station> stations, const PlanQuery& query, const PlanningFields& fields,
                                                   const StationMatrixOptions& options);
 

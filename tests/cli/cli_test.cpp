@@ -322,7 +322,7 @@ TEST_F(Cli, PlansWithinALimitOfBlindMetresAndAFloorOfAlignability) {
   EXPECT_LE(blind["longest_unrecovered"], 50.0);
   const test::Outcome high = run({"plan", "problem.yaml", "--min-alignability", "1", "--json"});
   EXPECT_EQ(high.exit_code, 1);
-  EXPECT_THAT(high.err, HasSubstr("no path was found that keeps the limit; there is a way with --min-alignability 0."));
+  EXPECT_THAT(high.err, HasSubstr("no path was found that keeps the limit; one was found with --min-alignability 0."));
   EXPECT_EQ(json::parse(high.out)["status"], "infeasible");
   EXPECT_LT(json::parse(high.out)["greatest_min_alignability"], 1.0);
 }

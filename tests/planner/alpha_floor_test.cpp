@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 #include "planner/plan.hpp"
 #include "tests/planner/island.hpp"
 #include "tests/planner/two_corridors.hpp"
@@ -57,6 +59,45 @@ TEST(AlphaFloor, IsToldApartFromAWall) {
   EXPECT_EQ(plan(problem, {}).status, PlanStatus::goal_outside_map);
   problem.query.goal = {10.0, 5.0, 0.0};
   EXPECT_EQ(plan(problem, {}).status, PlanStatus::goal_in_collision);
+}
+
+// A wall at x = 2.5 to 3.5 with a gap of half a metre, in which no corner of a cell is as far from either side as the robot is wide.
+PlanProblem problem_with_a_gap(float alpha) {
+  Grid<float> occupancy({.resolution = 0.1, .width = 60, .height = 40}, 0.0f);
+  for (int x = 25; x < 35; ++x) {
+    for (int y = 0; y < 40; ++y) occupancy[Cell{x, y}] = y >= 18 && y < 23 ? 0.0f : 1.0f;
+  }
+  PlanProblem problem{OccupancyMap(std::move(occupancy)), {}, {}};
+  problem.alignability.geometry = {.resolution = 1.0, .width = 6, .height = 4};
+  problem.alignability.layers = {{"alpha", Grid<float>(problem.alignability.geometry, alpha)}};
+  problem.query.robot.radius = 0.24;
+  problem.query.start = {1.0, 1.0, 0.0};
+  problem.query.goal = {5.0, 3.0, 0.0};
+  return problem;
+}
+
+TEST(AlphaFloor, ShutsNoGapThatHoldsNoCorner) {
+  PlanProblem problem = problem_with_a_gap(0.9f);
+  problem.query.risk.min_alpha = 0.5;
+  EXPECT_EQ(plan(problem, {}).status, PlanStatus::solved);
+}
+
+TEST(AlphaFloor, IsKeptToTheLastDigit) {
+  PlanProblem problem = problem_with_a_gap(0.3009f);
+  problem.query.risk.min_alpha = 0.3005;
+  EXPECT_EQ(plan(problem, {}).status, PlanStatus::solved);
+  problem.query.risk.min_alpha = 0.3010;
+  const PlanResult limited = plan(problem, {});
+  EXPECT_EQ(limited.status, PlanStatus::infeasible);
+  EXPECT_EQ(limited.greatest_min_alpha, 0.3);
+}
+
+TEST(AlphaFloor, ShutsPlacesWithoutAValueEvenAtZero) {
+  PlanProblem problem = problem_with_a_gap(std::numeric_limits<float>::quiet_NaN());
+  problem.query.risk.min_alpha = 0.0;
+  const PlanResult limited = plan(problem, {});
+  EXPECT_EQ(limited.status, PlanStatus::infeasible);
+  EXPECT_FALSE(limited.greatest_min_alpha.has_value());
 }
 
 TEST(GreatestAlphaFloor, IsTheLeastOnTheBestOfTwoWays) {

@@ -128,6 +128,24 @@ TEST_F(MaxBlindDistance, SaysWhichLimitWouldDo) {
   EXPECT_EQ(plan(problem, {}).status, PlanStatus::solved);
 }
 
+TEST_F(MaxBlindDistance, CountsNoFurtherThanTheTolerance) {
+  problem.query.start = {1.5, 1.0, 0.0};
+  problem.query.goal = {8.0, 4.5, 0.0};
+  problem.query.max_blind_distance = 0.1;
+  const auto smallest = [&](double tolerance) {
+    problem.query.goal_tolerance.position = tolerance;
+    const PlanResult result = plan(problem, {});
+    EXPECT_EQ(result.status, PlanStatus::infeasible);
+    return result.smallest_max_blind_distance.value_or(0.0);
+  };
+  const double near = smallest(0.01), far = smallest(1.0);
+  EXPECT_NEAR(near - far, 1.0, 0.1);
+  problem.query.max_blind_distance = far + 0.02;
+  const PlanResult result = plan(problem, {});
+  expect_kept(result, far + 0.02, 1.0);
+  EXPECT_LE((result.path.back().position() - problem.query.goal.position()).norm(), 1.0);
+}
+
 TEST_F(MaxBlindDistance, IsForOurPlannerAndNotTogetherWithALimitOfTheError) {
   problem.query.max_blind_distance = 10.0;
   problem.query.planner.name = "bitstar";
@@ -204,7 +222,7 @@ TEST(LimitedSearch, AgreesWithBruteForceOnSmallMaps) {
     const Eigen::Vector2d start(0.6, 2.6), goal(6.4, 2.4);
     for (const double most : {0.6, 1.2}) {
       const BlindLimit limit{.most = most, .recovery = 0.8};
-      const detail::LimitedSearch search(motion, limit, 0.5, start, goal);
+      const detail::LimitedSearch search(motion, limit, 0.5, {start, goal});
       const auto path = search.cheapest(0.0, {});
       const double at_least = least_cost(motion, limit, 0.5, start, goal, [](double value) { return std::floor(value); });
       const double at_most = least_cost(motion, limit, 0.5, start, goal, [](double value) { return std::ceil(value); });
@@ -215,8 +233,8 @@ TEST(LimitedSearch, AgreesWithBruteForceOnSmallMaps) {
       } else {
         EXPECT_EQ(at_most, std::numeric_limits<double>::infinity());
       }
-      EXPECT_EQ(search.is_feasible(limit, 0.0, {}), path.has_value());
-      const detail::LimitedSearch unlimited(motion, BlindLimit{.most = 100.0}, 0.5, start, goal);
+      EXPECT_EQ(search.any(limit, 0.0, {}).has_value(), path.has_value());
+      const detail::LimitedSearch unlimited(motion, BlindLimit{.most = 100.0}, 0.5, {start, goal});
       limited += at_least > 1.01 * test::cost_of(*unlimited.cheapest(0.0, {}), motion) ? 1 : 0;
     }
   }

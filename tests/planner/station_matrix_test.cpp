@@ -36,6 +36,20 @@ TEST(StationMatrix, HasWhatAPlanOfEachPairFinds) {
   }
 }
 
+TEST(StationMatrix, PlansForAFootprintAsAPlanDoes) {
+  PlanProblem problem = test::two_corridors();
+  problem.query.robot.footprint = {{-0.9, -0.3}, {0.9, -0.3}, {0.9, 0.3}, {-0.9, 0.3}};
+  problem.query.planner.time = 2.0;
+  const std::vector<Station> stations{kStations[0], kStations[1]};
+  const auto plans = plan_between(stations, problem.query, PlanningFields(problem), {});
+  problem.query.start = stations[0].pose;
+  problem.query.goal = stations[1].pose;
+  problem.query.goal_tolerance = {.position = 1e-6, .heading = 1e-6};
+  const PlanResult alone = plan(problem, {});
+  ASSERT_EQ(plans[0][1].status, alone.status);
+  EXPECT_NEAR(plans[0][1].cost, alone.cost, 1e-6 * alone.cost);
+}
+
 TEST(StationMatrix, TellsOfAStationInAWallAndOneOffTheMap) {
   const PlanProblem problem = test::two_corridors();
   const std::vector<Station> stations{{"free", {2.0, 8.5, 0.0}}, {"in the block", {10.0, 5.0, 0.0}}, {"off", {-4.0, 5.0, 0.0}}};
