@@ -136,7 +136,8 @@ TEST_F(ValidateCli, CalibratesAMapAndPlansWithinAnError) {
   EXPECT_EQ(other["paths"][2]["problem"], "elsewhere.yaml");
   EXPECT_TRUE(other["paths"][2]["held_out"]);
   folder.write("elsewhere.yaml", read_file(folder / "driving.yaml", 1000) + "\nrange_max: 3\n");
-  EXPECT_THAT(run(elsewhere).err, HasSubstr("elsewhere.yaml: an error model is for one way of driving: fitted for range in full, used for 3 m here"));
+  EXPECT_THAT(run(elsewhere).err,
+              HasSubstr("elsewhere.yaml: an error model is for one way of driving: fitted for range in full, used for 3 m here"));
   const Words plan{"plan", "driving.yaml", "--alignability", "calibrated.yaml", "--json"};
   const auto planned = [&](const std::string& max_error) {
     Words words = plan;
