@@ -136,17 +136,19 @@ void drive(Site& site, const Options& options, const std::stop_token& stop) {
   if (!site.held_out.empty()) site.held_out = driven(std::move(site.held_out), place, trials);
 }
 
+std::vector<SitePaths> fitted_on(const std::vector<std::unique_ptr<Site>>& sites) {
+  std::vector<SitePaths> fitted;
+  for (const auto& site : sites) fitted.push_back({site->fitted, site->risk});
+  return fitted;
+}
+
 int run(const Options& options) {
   const Interrupt interrupt;
   const std::vector<std::unique_ptr<Site>> sites = sites_of(options);
-  std::vector<SitePaths> fitted;
-  for (const auto& site : sites) fitted.push_back({site->fitted, site->risk});
-  if (const auto refusal = refusal_of_fit(fitted)) throw std::invalid_argument(*refusal);
+  if (const auto refusal = refusal_of_fit(fitted_on(sites))) throw std::invalid_argument(*refusal);
   const Calibration calibration = checked_calibration(sites, options.drive);
   for (const auto& site : sites) drive(*site, options, interrupt.token());
-  fitted.clear();
-  for (const auto& site : sites) fitted.push_back({site->fitted, site->risk});
-  ErrorModel model = fit_error_model(fitted, 0);
+  ErrorModel model = fit_error_model(fitted_on(sites), 0);
   model.calibration = calibration;
   AlignabilityMap map = sites.front()->problem.alignability;
   map.error_model = model;

@@ -40,54 +40,16 @@ class LimitedSearch {
     join(at_start(), at_goal());
   }
 
-  std::size_t size() const { return edges_.size(); }
-
   /// Some way that keeps a limit; nullopt where there is none, and when stopped.
   std::optional<PlanarPath> any(const Limit& limit, double alike, const std::stop_token& stop) const {
-    Fronts fronts(size());
-    std::vector<Label> labels{{at_start(), 0, 0.0, limit.at_start()}};
-    Queue queue;
-    queue.push({limit.urgency(labels.front().state), 0});
-    while (!queue.empty() && !stop.stop_requested()) {
-      const std::size_t number = queue.top().second;
-      queue.pop();
-      const Label label = labels[number];
-      if (label.node == at_goal()) return path_of(labels, number);
-      if (!fronts.improve(label, limit, alike)) continue;
-      for (const Edge& edge : edges_[label.node]) {
-        const auto state = after(limit, label, edge);
-        if (!state || !fronts.would_improve(edge.to, *state, limit, alike)) continue;
-        labels.push_back({edge.to, number, 0.0, *state});
-        queue.push({limit.urgency(*state), labels.size() - 1});
-      }
-    }
-    return std::nullopt;
+    return search(limit, alike, stop, [&](const Label& label) { return limit.urgency(label.state); });
   }
 
   /// The cheapest way that keeps the limit, but for what `alike` costs; nullopt where there is none, and when stopped. By A* over labels, a
   /// place and a state each, those dropped that another at the place makes superfluous (Handler and Zang 1980).
   std::optional<PlanarPath> cheapest(double alike, const std::stop_token& stop) const {
     const std::vector<double> to_go = costs_to_goal();
-    Fronts fronts(size());
-    std::vector<Label> labels{{at_start(), 0, 0.0, limit_.at_start()}};
-    Queue queue;
-    queue.push({to_go[at_start()], 0});
-    while (!queue.empty() && !stop.stop_requested()) {
-      const std::size_t number = queue.top().second;
-      queue.pop();
-      const Label label = labels[number];
-      if (label.node == at_goal()) return path_of(labels, number);
-      // Labels leave the queue in the order of their cost: one at a place where others were already is of use only for its state.
-      if (!fronts.improve(label, limit_, alike)) continue;
-      for (const Edge& edge : edges_[label.node]) {
-        if (to_go[edge.to] == kInfinite) continue;
-        const auto state = after(limit_, label, edge);
-        if (!state || !fronts.would_improve(edge.to, *state, limit_, alike)) continue;
-        labels.push_back({edge.to, number, label.cost + edge.cost, *state});
-        queue.push({labels.back().cost + to_go[edge.to], labels.size() - 1});
-      }
-    }
-    return std::nullopt;
+    return search(limit_, alike, stop, [&](const Label& label) { return label.cost + to_go[label.node]; });
   }
 
  private:
@@ -130,6 +92,32 @@ class LimitedSearch {
    private:
     std::vector<std::vector<State>> states_;
   };
+
+  // Follows labels in the order of their rank, those of infinite rank not at all.
+  template <typename Rank>
+  std::optional<PlanarPath> search(const Limit& limit, double alike, const std::stop_token& stop, Rank rank) const {
+    Fronts fronts(edges_.size());
+    std::vector<Label> labels{{at_start(), 0, 0.0, limit.at_start()}};
+    Queue queue;
+    queue.push({rank(labels.front()), 0});
+    while (!queue.empty() && !stop.stop_requested()) {
+      const std::size_t number = queue.top().second;
+      queue.pop();
+      const Label label = labels[number];
+      if (label.node == at_goal()) return path_of(labels, number);
+      if (!fronts.improve(label, limit, alike)) continue;
+      for (const Edge& edge : edges_[label.node]) {
+        const auto state = after(limit, label, edge);
+        if (!state || !fronts.would_improve(edge.to, *state, limit, alike)) continue;
+        const Label next{edge.to, number, label.cost + edge.cost, *state};
+        const double order = rank(next);
+        if (order == kInfinite) continue;
+        labels.push_back(next);
+        queue.push({order, labels.size() - 1});
+      }
+    }
+    return std::nullopt;
+  }
 
   std::size_t at_start() const { return grid_.size(); }
   std::size_t at_goal() const { return grid_.size() + 1; }
@@ -181,7 +169,7 @@ class LimitedSearch {
 
   // What getting to the goal costs where no limit is kept.
   std::vector<double> costs_to_goal() const {
-    std::vector<double> to_go(size(), kInfinite);
+    std::vector<double> to_go(edges_.size(), kInfinite);
     to_go[at_goal()] = 0.0;
     Queue queue;
     queue.push({0.0, at_goal()});
