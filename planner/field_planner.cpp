@@ -74,6 +74,18 @@ PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformatio
   return path->check() ? path : nullptr;
 }
 
+PathPtr best_path_of_disks(const Task& task, const ob::ProblemDefinitionPtr& problem, const ob::PlannerTerminationCondition& until) {
+  const ob::OptimizationObjectivePtr& objective = problem->getOptimizationObjective();
+  const ob::SpaceInformationPtr& si = problem->getSpaceInformation();
+  PathPtr best;
+  for (const double radius : radii(task.area)) {
+    if (until) break;
+    const PathPtr path = path_for_disk(task, radius, si);
+    if (path && (!best || path->cost(objective).value() < best->cost(objective).value())) best = path;
+  }
+  return best;
+}
+
 // nullptr where the search finds none.
 PathPtr path_of_car(const CarTask& task, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
   const auto stop = [&until] { return until.eval(); };
@@ -118,21 +130,17 @@ ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& unt
   if (goal == nullptr) return ob::PlannerStatus::INVALID_GOAL;
   const auto* region = dynamic_cast<const PoseGoal*>(pdef_->getGoal().get());
   const AlignabilityObjective& objective = *objective_of(pdef_);
-  const ob::OptimizationObjectivePtr& shared = pdef_->getOptimizationObjective();
   const Task task{checker_of(si_)->area(), objective, objective.pose_of(start), objective.pose_of(goal),
                   region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance()};
-  if (objective.steering() != nullptr) {
+  if (objective.steering() == nullptr) {
+    path_ = best_path_of_disks(task, pdef_, until);
+  } else {
     path_ = path_of_car({task.area, objective, task.start, task.goal, task.tolerance}, si_, until);
     if (!path_ && until) {
       // The search was cut short: the next call begins it anew.
       pis_.restart();
       return ob::PlannerStatus::TIMEOUT;
     }
-  }
-  for (const double radius : objective.steering() != nullptr ? std::vector<double>{} : radii(task.area)) {
-    if (until) break;
-    const PathPtr path = path_for_disk(task, radius, si_);
-    if (path && (!path_ || path->cost(shared).value() < path_->cost(shared).value())) path_ = path;
   }
   return path_ ? add_path() : search_on(until);
 }
