@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <array>
+#include <functional>
 #include <set>
+#include <span>
 #include <vector>
 
 #include "cli/command.hpp"
@@ -27,6 +29,7 @@ constexpr std::size_t kDrivenPairs = 10;
 struct Options {
   ProblemOptions problem;
   std::vector<double> weights;
+  std::vector<double> blind_limits;
   std::optional<std::size_t> pairs;
   std::optional<int> drives;  // a path
   DriveSiteOptions drive;
@@ -59,6 +62,13 @@ std::set<double> all_weights(const Options& options, const PlanQuery& query) {
   return weights;
 }
 
+// From the loosest down.
+std::vector<PlanResult> within_blind_limits(const Options& options, const PlanQuery& query, const PlanningFields& fields,
+                                            std::span<const PlanResult> known, const Interrupt& interrupt) {
+  const std::set<double, std::greater<>> limits(options.blind_limits.begin(), options.blind_limits.end());
+  return blind_trade_off(query, fields, std::vector<double>(limits.begin(), limits.end()), known, plan_options(interrupt));
+}
+
 int compare_poses(const Options& options, const PlanProblem& problem, const PlanningFields& fields, const Interrupt& interrupt) {
   const std::optional<DriveSite> site = drive_site(options, problem.occupancy, interrupt);
   const std::set<double> weights = all_weights(options, problem.query);
@@ -66,8 +76,11 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
       trade_off(problem.query, fields, std::vector<double>(weights.begin(), weights.end()), plan_options(interrupt));
   const Comparison comparison{curve.front(),
                               *std::ranges::find(curve, problem.query.weight, [](const PlanResult& at) { return at.query.weight; })};
+  const std::vector<PlanResult> limited = within_blind_limits(options, problem.query, fields, curve, interrupt);
   if (interrupt.token().stop_requested()) throw Interrupted();
-  Json summary = options.weights.empty() ? compare_json(comparison) : compare_json(comparison, curve);
+  Json summary = compare_json(comparison);
+  if (!options.weights.empty()) summary["curve"] = plans_json(curve);
+  if (!limited.empty()) summary["limited"] = plans_json(limited);
   std::vector<DrivenComparison> driven;
   if (site && solved(comparison)) {
     driven = drive_comparisons({&comparison, 1}, *site, *options.drives, *fields.clearance).front();
@@ -77,6 +90,9 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
     const std::filesystem::path name = output_name(*options.output);
     write_paths(problem, *fields.risk, comparison, name);
     if (!options.weights.empty()) draw_curve(curve, with_ending(name, "_curve.png"));
+    if (!limited.empty() && solved(comparison)) {
+      draw_limits(problem, *fields.risk, comparison.shortest, limited, name);
+    }
     write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
   }
   if (options.json) print({summary});
@@ -89,6 +105,7 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
     print_drive(driven, options.drives.value_or(0));
   }
   if (!options.json && !options.weights.empty()) print_curve(curve);
+  if (!options.json && !limited.empty()) print_limits(comparison.shortest, limited);
   return kYes;
 }
 
@@ -142,9 +159,16 @@ void add_compare(CLI::App& app, Work& work) {
       command->add_option("--weights", options->weights, "Further weights, for the curve of length against blind metres: 1,2,5,10")
           ->delimiter(',')
           ->check(CLI::NonNegativeNumber);
+  CLI::Option* limits =
+      command
+          ->add_option("--blind-limits", options->blind_limits,
+                       "The shortest path with at most so many blind metres before the robot finds itself, for each: 12,8,4,0")
+          ->delimiter(',')
+          ->check(CLI::NonNegativeNumber);
   command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
       ->check(CLI::Range(1, 1'000'000))
-      ->excludes(weights);
+      ->excludes(weights)
+      ->excludes(limits);
   CLI::Option* drives =
       command
           ->add_option("--drive", options->drives,
@@ -154,10 +178,12 @@ void add_compare(CLI::App& app, Work& work) {
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output,
                       "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
+                      "NAME_limits.png with --blind-limits; "
                       "NAME.json, NAME.png and NAME.csv with --pairs");
   command->footer(
       "Examples:\n"
       "  alignability compare maps/warehouse/problem.yaml --weights 1,2,5,10 -o comparison\n"
+      "  alignability compare maps/warehouse/problem.yaml --start 4,28,0 --goal 20,36,0 --blind-limits 12,8,4,0 -o limits\n"
       "  alignability compare maps/warehouse/problem.yaml --drive 20 -o driven\n"
       "  alignability compare maps/warehouse/problem.yaml --pairs 100 --iterations 5000 -o pairs");
   command->callback([options, &work] { work = [options] { return run(*options); }; });

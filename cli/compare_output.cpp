@@ -6,6 +6,8 @@
 #include <string>
 #include <vector>
 
+#include "cli/output_name.hpp"
+#include "cli/path_output.hpp"
 #include "core/distribution.hpp"
 #include "core/file.hpp"
 #include "core/range.hpp"
@@ -46,6 +48,19 @@ std::string csv_figures(const PlanResult& result) {
          to_text(figures.longest_blind) + ',' + to_text(figures.risk_integral);
 }
 
+std::string metres(double value) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f m", value);
+  return text;
+}
+
+std::string least_that_does(const PlanResult& result) {
+  if (!result.smallest_max_blind_distance) return "";
+  return "; with " + metres(*result.smallest_max_blind_distance) + " there is one";
+}
+
+std::string limit_text(const PlanResult& result) { return "at most " + to_text(*result.query.max_blind_distance) + " m blind"; }
+
 }  // namespace
 
 void print_row(const char* name, double shortest, double risk_aware, const char* unit) {
@@ -80,6 +95,24 @@ void print_curve(std::span<const PlanResult> curve) {
   }
 }
 
+void print_limits(const PlanResult& shortest, std::span<const PlanResult> limited) {
+  std::printf("%10s %11s %11s %14s %21s %11s\n", "limit", "length", "blind", "longest blind", "longest unrecovered", "detour");
+  const auto print_row_of = [&](const std::string& limit, const PlanResult& result, const std::string& unrecovered) {
+    const PathFigures& figures = result.figures;
+    std::printf("%10s %9.2f m %9.2f m %12.2f m %21s %9.2f m\n", limit.c_str(), figures.length, figures.blind_length, figures.longest_blind,
+                unrecovered.c_str(), figures.length - shortest.figures.length);
+  };
+  print_row_of("none", shortest, "");
+  for (const PlanResult& result : limited) {
+    const std::string limit = to_text(*result.query.max_blind_distance) + " m";
+    if (result.status == PlanStatus::solved) {
+      print_row_of(limit, result, metres(*result.longest_unrecovered));
+    } else {
+      std::printf("%10s %s%s\n", limit.c_str(), to_string(result.status), least_that_does(result).c_str());
+    }
+  }
+}
+
 void print_distribution(std::span<const Comparison> pairs) {
   std::size_t both = 0;
   for (const Comparison& pair : pairs) both += solved(pair) ? 1 : 0;
@@ -100,6 +133,20 @@ void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& 
     if (point.status == PlanStatus::solved) points.push_back({point.query.weight, point.figures.length, point.figures.blind_length});
   }
   draw_trade_off(points, "What a longer path buys", png);
+}
+
+void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanResult& shortest, std::span<const PlanResult> limited,
+                 const std::filesystem::path& name) {
+  std::vector<DrawnPath> routes;
+  const PlanResult* last = nullptr;
+  for (const PlanResult& result : limited) {
+    if (result.status != PlanStatus::solved || (last != nullptr && last->cost == result.cost)) continue;
+    routes.push_back(drawn(result, risk, limit_text(result), route_colour(routes.size() + 1), LineStyle::solid));
+    last = &result;
+  }
+  routes.push_back(drawn(shortest, risk, "shortest", kShortestColour, LineStyle::dashed));
+  draw_paths(problem.alignability, problem.occupancy, routes, picture_options(problem.query, name.filename().string()),
+             with_ending(name, "_limits.png"));
 }
 
 void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& png) {

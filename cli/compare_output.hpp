@@ -14,11 +14,16 @@ void print_row(const char* name, double shortest, double risk_aware, const char*
 void print_table(const Comparison& comparison);
 /// A row a weight, for --weights.
 void print_curve(std::span<const PlanResult> curve);
+/// A row a limit, after one of the shortest path, for --blind-limits.
+void print_limits(const PlanResult& shortest, std::span<const PlanResult> limited);
 /// Quantiles over the pairs that both plans solved, for --pairs.
 void print_distribution(std::span<const Comparison> pairs);
 
 /// Blind metres against length, a point a weight whose plan found a path.
 void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& png);
+/// The shortest path and those within limits of blind metres, those alike once: NAME_limits.png.
+void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanResult& shortest, std::span<const PlanResult> limited,
+                 const std::filesystem::path& name);
 /// How the ratio of lengths and the blind metres are distributed.
 void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& png);
 /// A row a pair; figures are empty where there is no path.

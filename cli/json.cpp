@@ -173,6 +173,12 @@ Json plan_json(const PlanResult& result) {
   return json;
 }
 
+Json plans_json(std::span<const PlanResult> results) {
+  Json list = Json::array();
+  for (const PlanResult& result : results) list.push_back(plan_json(result));
+  return list;
+}
+
 Json compare_json(const Comparison& comparison) {
   const PathFigures& shortest = comparison.shortest.figures;
   const PathFigures& risk_aware = comparison.risk_aware.figures;
@@ -182,12 +188,6 @@ Json compare_json(const Comparison& comparison) {
            {{"length", ratio(risk_aware.length, shortest.length)},
             {"blind_length", ratio(risk_aware.blind_length, shortest.blind_length)},
             {"risk_integral", ratio(risk_aware.risk_integral, shortest.risk_integral)}}}};
-}
-
-Json compare_json(const Comparison& comparison, std::span<const PlanResult> curve) {
-  Json json = compare_json(comparison);
-  for (const PlanResult& point : curve) json["curve"].push_back(plan_json(point));
-  return json;
 }
 
 Json pairs_json(std::span<const Comparison> pairs) {

@@ -26,8 +26,8 @@ Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std:
 Json path_json(std::span<const Pose2> path);
 
 Json plan_json(const PlanResult& result);
+Json plans_json(std::span<const PlanResult> results);
 Json compare_json(const Comparison& comparison);
-Json compare_json(const Comparison& comparison, std::span<const PlanResult> curve);
 /// Distributions over the pairs that both plans solved, and every pair without its paths.
 Json pairs_json(std::span<const Comparison> pairs);
 

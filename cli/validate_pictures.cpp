@@ -72,12 +72,11 @@ void draw_error_maps(std::span<const Validation> validations, const PlanProblem&
 
 void draw_profiles(std::span<const Validation> validations, std::span<const DrivenPath> paths, const RiskField& risk,
                    const std::filesystem::path& name) {
-  constexpr std::array kColours{kShortestColour, kRiskAwareColour, colour_from_hex(0x8e3a9d), colour_from_hex(0x1f6fb4)};
   for (std::size_t i = 0; i < validations.size(); ++i) {
     std::vector<ErrorProfile> profiles;
     for (std::size_t k = 0; k < paths.size(); ++k) {
       ErrorProfile profile = profile_of(paths[k], i, validations[i].by_path[k], risk);
-      profile.colour = kColours[k % kColours.size()];
+      profile.colour = route_colour(k);
       profile.style = k % 2 == 0 ? LineStyle::dashed : LineStyle::solid;
       profiles.push_back(std::move(profile));
     }

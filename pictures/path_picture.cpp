@@ -2,6 +2,7 @@
 #include "pictures/path_picture.hpp"
 
 #include <algorithm>
+#include <array>
 #include <iterator>
 
 #include "core/range.hpp"
@@ -44,6 +45,13 @@ std::vector<DrawnPath> chosen(std::span<const DrawnPath> paths, bool (*wanted)(c
 }
 
 }  // namespace
+
+Colour route_colour(std::size_t number) {
+  constexpr std::array<Colour, kRouteColours> kColours{kShortestColour,           kRiskAwareColour,          colour_from_hex(0x8e3a9d),
+                                                       colour_from_hex(0x1f6fb4), colour_from_hex(0xe8710a), colour_from_hex(0x17becf),
+                                                       colour_from_hex(0x8c564b), colour_from_hex(0xd4a017)};
+  return kColours[number % kRouteColours];
+}
 
 void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
                 const PathPictureOptions& options, const std::filesystem::path& png) {

@@ -27,6 +27,10 @@ enum class LineStyle { solid, dashed };
 inline constexpr Colour kShortestColour = colour_from_hex(0x1c1c1c);
 inline constexpr Colour kRiskAwareColour = colour_from_hex(0x00875a);
 
+/// To tell routes apart by, from those two on; none is the red of blind stretches. They repeat after kRouteColours.
+Colour route_colour(std::size_t number);
+inline constexpr std::size_t kRouteColours = 8;
+
 struct DrawnPath {
   std::string label;         ///< as in the key: "shortest: 52.3 m, 31.0 m blind"; empty: in neither the key nor the panel of profiles
   std::vector<Pose2> poses;  ///< in `map`, joined by straight segments; empty: in the key alone
