@@ -35,6 +35,8 @@ Eigen::Vector2d BilinearAlongArc::way(double s) const {
   return chord * (std::cos(half_turn) * direction + std::sin(half_turn) * left);
 }
 
+bool BilinearAlongArc::is_number() const { return !std::isnan(value) && !std::isnan(twist) && !gradient.hasNaN(); }
+
 double BilinearAlongArc::at(double s) const {
   const Eigen::Vector2d p = way(s);
   return value + gradient.dot(p) + twist * p.x() * p.y();

@@ -15,6 +15,8 @@ struct BilinearAlongArc {
   Eigen::Vector2d gradient{0, 0};   ///< [1/m]
   double twist = 0.0;               ///< [1/m²]
 
+  /// False where a corner of the patch has no value.
+  bool is_number() const;
   double at(double s) const;
   /// In closed form, to some 1e-13.
   double mean() const;

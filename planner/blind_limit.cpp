@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/blind_limit.hpp"
 
+#include <algorithm>
+#include <array>
+#include <functional>
+#include <vector>
+
 namespace alignability {
 namespace {
 
@@ -25,6 +30,24 @@ void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskFiel
   });
 }
 
+// The same for the stretches of an arc.
+template <typename Visit>
+void walk(const Arc& arc, const RiskField& risk, Visit visit) {
+  risk.alpha_layer().visit(arc, [&](const BilinearAlongArc& alpha) {
+    if (!alpha.is_number()) return visit(ground_at(std::numeric_limits<double>::quiet_NaN(), risk), alpha.length);
+    std::vector<double> cuts{0.0};
+    for (const double level : {risk.options().alpha_critical, risk.options().alpha_safe}) {
+      double end = 0.0;
+      alpha.visit_stretches(level, [&](double length, bool) { cuts.push_back(end += length); });
+    }
+    std::ranges::sort(cuts);
+    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+      const double middle = 0.5 * (cuts[i] + cuts[i + 1] - alpha.length);
+      if (cuts[i + 1] > cuts[i]) visit(ground_at(alpha.at(middle), risk), cuts[i + 1] - cuts[i]);
+    }
+  });
+}
+
 BlindState moved(BlindState state, Ground ground, double metres, double recovery) {
   if (ground == Ground::blind) return {state.blind + metres, 0.0};
   if (ground == Ground::poor) return {state.blind, 0.0};
@@ -33,12 +56,32 @@ BlindState moved(BlindState state, Ground ground, double metres, double recovery
   return state;
 }
 
+struct LongestUnrecovered {
+  double recovery;
+  double most = 0.0;
+  BlindState state = {};
+
+  void operator()(Ground ground, double metres) {
+    state = moved(state, ground, metres, recovery);
+    most = std::max(most, state.blind);
+  }
+};
+
 }  // namespace
 
 std::optional<BlindState> BlindLimit::after(State state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                             const RiskField& risk) const {
   bool kept = true;
   walk(from, to, risk, [&](Ground ground, double metres) {
+    state = moved(state, ground, metres, recovery);
+    kept = kept && state.blind <= most + kRounding;
+  });
+  return kept ? std::optional(state) : std::nullopt;
+}
+
+std::optional<BlindState> BlindLimit::after(State state, const Arc& arc, const RiskField& risk) const {
+  bool kept = true;
+  walk(arc, risk, [&](Ground ground, double metres) {
     state = moved(state, ground, metres, recovery);
     kept = kept && state.blind <= most + kRounding;
   });
@@ -67,15 +110,17 @@ std::optional<BlindState> BlindLimit::after(const State& state, const Change& ch
 }
 
 double longest_unrecovered(std::span<const Pose2> path, const RiskField& risk, double recovery) {
-  double longest = 0.0;
-  BlindState state;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    walk(path[i - 1].position(), path[i].position(), risk, [&](Ground ground, double metres) {
-      state = moved(state, ground, metres, recovery);
-      longest = std::max(longest, state.blind);
-    });
+  LongestUnrecovered longest{recovery};
+  for (std::size_t i = 1; i < path.size(); ++i) walk(path[i - 1].position(), path[i].position(), risk, std::ref(longest));
+  return longest.most;
+}
+
+double longest_unrecovered(std::span<const Curve> path, const RiskField& risk, double recovery) {
+  LongestUnrecovered longest{recovery};
+  for (const Curve& curve : path) {
+    for (const Arc& arc : curve.arcs()) walk(arc, risk, std::ref(longest));
   }
-  return longest;
+  return longest.most;
 }
 
 }  // namespace alignability

@@ -7,6 +7,7 @@
 
 #include "core/pose.hpp"
 #include "costmap/risk_field.hpp"
+#include "planner/curve.hpp"
 
 namespace alignability {
 
@@ -44,13 +45,15 @@ struct BlindLimit {
   std::optional<State> after(State state, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
   std::optional<State> after(const State& state, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                              const RiskField& risk) const;
+  /// Along an arc.
+  std::optional<State> after(State state, const Arc& arc, const RiskField& risk) const;
   bool is_no_worse(const State& one, const State& other, double alike) const {
     return one.blind <= other.blind + alike * most && (one.blind == 0.0 || one.safe >= other.safe - alike * recovery);
   }
-  double urgency(const State& state) const { return state.blind; }
 };
 
 /// The most blind metres without finding itself that a path brings a robot.
 double longest_unrecovered(std::span<const Pose2> path, const RiskField& risk, double recovery);
+double longest_unrecovered(std::span<const Curve> path, const RiskField& risk, double recovery);
 
 }  // namespace alignability

@@ -4,12 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <limits>
+#include <utility>
 
 namespace alignability {
 namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kWorthIt = 1e-9;  // of the cost
+// States that differ by less than such a share of what the limits allow count as one.
+constexpr double kAlike = 0.02;
 
 using Poses = std::vector<Pose2>;
 
@@ -29,26 +32,62 @@ Poses subdivided(const Poses& path, double spacing, const Steering& steering) {
   return finer;
 }
 
-// The cheapest of the paths that leave out poses, none further apart than the window.
+// A way along some of the poses up to one of them.
+struct Label {
+  double cost;
+  PathLimits::State state;
+  std::size_t pose_before;
+  std::size_t label_before;  // of that pose
+};
+
+// Keeps those that no other makes superfluous, the cheapest first.
+void add(std::vector<Label>& labels, const Label& label, const PathLimits& limits) {
+  const auto is_better = [&](const Label& one, const Label& other, double alike) {
+    return one.cost <= other.cost && limits.is_no_worse(one.state, other.state, alike);
+  };
+  if (std::ranges::any_of(labels, [&](const Label& known) { return is_better(known, label, kAlike); })) return;
+  std::erase_if(labels, [&](const Label& known) { return is_better(label, known, 0.0); });
+  labels.insert(std::ranges::upper_bound(labels, label.cost, {}, &Label::cost), label);
+}
+
+// The cheapest of the paths that leave out poses, none further apart than the window, and keep the limits.
 std::optional<Poses> with_shortcuts(const Poses& path, const CarTask& task) {
   constexpr std::size_t kWindow = 32;
-  std::vector<double> cost(path.size(), kInfinite);
-  std::vector<std::size_t> before(path.size(), 0);
-  cost[0] = 0.0;
+  std::vector<std::vector<Label>> labels(path.size());
+  labels[0] = {{0.0, task.limits.at_start(), 0, 0}};
   for (std::size_t to = 1; to < path.size(); ++to) {
-    // The longest first: as a rule it is the cheapest, and the shorter ones need no check then.
+    // The longest first: as a rule it is the cheapest, and without limits the shorter ones need no check then.
     for (std::size_t from = to > kWindow ? to - kWindow : 0; from < to; ++from) {
-      const auto leg = leg_below((1.0 - kWorthIt) * cost[to] - cost[from], task, path[from], path[to]);
+      if (labels[from].empty()) continue;
+      const bool is_bounded = task.limits.empty() && !labels[to].empty();
+      const double bound = is_bounded ? (1.0 - kWorthIt) * labels[to].front().cost - labels[from].front().cost : kInfinite;
+      const auto leg = leg_below(bound, task, path[from], path[to]);
       if (!leg) continue;
-      cost[to] = cost[from] + leg->cost;
-      before[to] = from;
+      for (std::size_t i = 0; i < labels[from].size(); ++i) {
+        const auto state = task.limits.after(labels[from][i].state, leg->curve, *task.area.risk_field());
+        if (state) add(labels[to], {labels[from][i].cost + leg->cost, *state, from, i}, task.limits);
+      }
     }
   }
-  if (cost.back() == kInfinite) return std::nullopt;
+  if (labels.back().empty()) return std::nullopt;
   Poses shorter;
-  for (std::size_t at = path.size() - 1; at > 0; at = before[at]) shorter.push_back(path[at]);
+  const Label* label = &labels.back().front();
+  for (std::size_t at = path.size() - 1; at > 0;) {
+    shorter.push_back(path[at]);
+    at = label->pose_before;
+    label = &labels[at][label->label_before];
+  }
   shorter.push_back(path.front());
   return Poses{shorter.rbegin(), shorter.rend()};
+}
+
+bool keeps_limits(const Poses& path, const CarTask& task) {
+  if (task.limits.empty()) return true;
+  std::optional<PathLimits::State> state = task.limits.at_start();
+  for (std::size_t i = 1; state && i < path.size(); ++i) {
+    state = task.limits.after(*state, task.objective.steering()->word(path[i - 1], path[i]), *task.area.risk_field());
+  }
+  return state.has_value();
 }
 
 class Relaxation {
@@ -99,16 +138,18 @@ class Relaxation {
 
   bool try_pose(std::size_t i, const Pose2& to) {
     if (is_last(i) && !is_in_goal(to)) return false;
-    double left = (1.0 - kWorthIt) * (costs_[i] + (is_last(i) ? 0.0 : costs_[i + 1]));
+    const double left = (1.0 - kWorthIt) * (costs_[i] + (is_last(i) ? 0.0 : costs_[i + 1]));
     const auto there = leg_below(left, task_, path_[i - 1], to);
     if (!there) return false;
-    if (!is_last(i)) {
-      const auto on = leg_below(left - there->cost, task_, to, path_[i + 1]);
-      if (!on) return false;
-      costs_[i + 1] = on->cost;
+    const auto on = is_last(i) ? std::nullopt : leg_below(left - there->cost, task_, to, path_[i + 1]);
+    if (!is_last(i) && !on) return false;
+    const Pose2 before = std::exchange(path_[i], to);
+    if (!keeps_limits(path_, task_)) {
+      path_[i] = before;
+      return false;
     }
     costs_[i] = there->cost;
-    path_[i] = to;
+    if (on) costs_[i + 1] = on->cost;
     return true;
   }
 

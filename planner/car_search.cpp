@@ -14,6 +14,8 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 72;
 constexpr double kHeadingStep = 2.0 * std::numbers::pi / kHeadings;
+// States that differ by less than such a share of what the limits allow count as one.
+constexpr double kAlike = 0.02;
 
 class CarSearch {
  public:
@@ -23,14 +25,14 @@ class CarSearch {
 
   std::optional<std::vector<Pose2>> run(const std::function<bool()>& stop) {
     constexpr std::size_t kBetweenLooks = 1024;
-    reach(task_.start, 0.0, kNone);
+    reach(task_.start, 0.0, task_.limits.at_start(), kNone);
     for (std::size_t popped = 0; !front_.empty(); ++popped) {
       const auto [cost, node] = front_.top();
       front_.pop();
       if (cost >= cost_to_goal_) break;
       if (popped % kBetweenLooks == 0 && stop()) return std::nullopt;
       const Node at = nodes_[node];
-      if (at.cost > best_.at(key(at.pose))) continue;
+      if (!is_front(node)) continue;
       head_for_the_goal(at, node, popped);
       expand(at, node);
     }
@@ -44,7 +46,9 @@ class CarSearch {
   struct Node {
     Pose2 pose;
     double cost;
+    PathLimits::State state;
     std::uint32_t before;
+    std::uint32_t next;  // of those of its key that no other makes superfluous
   };
   static constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
 
@@ -67,12 +71,45 @@ class CarSearch {
     return kGreed * std::max(in_plane, curve.length());
   }
 
-  void reach(const Pose2& pose, double cost, std::uint32_t before) {
+  std::uint32_t first_of(std::uint64_t key) const {
+    const auto found = fronts_.find(key);
+    return found == fronts_.end() ? kNone : found->second;
+  }
+
+  bool is_front(std::uint32_t node) const {
+    std::uint32_t other = first_of(key(nodes_[node].pose));
+    while (other != kNone && other != node) other = nodes_[other].next;
+    return other == node;
+  }
+
+  bool is_superfluous(std::uint64_t key, double cost, const PathLimits::State& state) const {
+    for (std::uint32_t known = first_of(key); known != kNone; known = nodes_[known].next) {
+      if (nodes_[known].cost <= cost && task_.limits.is_no_worse(nodes_[known].state, state, kAlike)) return true;
+    }
+    return false;
+  }
+
+  void drop_those_worse(std::uint64_t key, double cost, const PathLimits::State& state) {
+    std::uint32_t* link = &fronts_.emplace(key, kNone).first->second;
+    while (*link != kNone) {
+      const Node& known = nodes_[*link];
+      if (cost <= known.cost && task_.limits.is_no_worse(state, known.state, 0.0)) {
+        *link = known.next;
+      } else {
+        link = &nodes_[*link].next;
+      }
+    }
+  }
+
+  void reach(const Pose2& pose, double cost, const PathLimits::State& state, std::uint32_t before) {
     const double to_go = still_to_go(pose);
     if (!(cost + to_go < cost_to_goal_)) return;
-    best_[key(pose)] = cost;
-    front_.emplace(cost + to_go, static_cast<std::uint32_t>(nodes_.size()));
-    nodes_.push_back({pose, cost, before});
+    drop_those_worse(key(pose), cost, state);
+    std::uint32_t& first = fronts_.at(key(pose));
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.push_back({pose, cost, state, before, first});
+    first = node;
+    front_.emplace(cost + to_go, node);
   }
 
   void expand(const Node& at, std::uint32_t node) {
@@ -88,9 +125,9 @@ class CarSearch {
     const Pose2 end = arc.end();
     if (!task_.area.geometry().cell_near(end.position())) return;
     const double cost = at.cost + task_.objective.cost_of(arc);
-    const auto known = best_.find(key(end));
-    if (known != best_.end() && known->second <= cost) return;
-    if (task_.area.contains(arc)) reach({end.x, end.y, normalized_angle(end.yaw)}, cost, node);
+    const auto state = task_.limits.after(at.state, arc, *task_.area.risk_field());
+    if (!state || is_superfluous(key(end), cost, *state)) return;
+    if (task_.area.contains(arc)) reach({end.x, end.y, normalized_angle(end.yaw)}, cost, *state, node);
   }
 
   // From near every time, from afar now and then.
@@ -99,7 +136,7 @@ class CarSearch {
     const bool is_near = (task_.goal.position() - at.pose.position()).norm() < 6.0 * radius_;
     if (!is_near && popped % kFarEvery != 0) return;
     const auto leg = leg_below(cost_to_goal_ - at.cost, task_, at.pose, task_.goal);
-    if (!leg) return;
+    if (!leg || !task_.limits.after(at.state, leg->curve, *task_.area.risk_field())) return;
     cost_to_goal_ = at.cost + leg->cost;
     before_goal_ = node;
   }
@@ -109,7 +146,7 @@ class CarSearch {
   double cell_;
   double radius_;
   std::vector<Node> nodes_;
-  std::unordered_map<std::uint64_t, double> best_;  // cost, by key
+  std::unordered_map<std::uint64_t, std::uint32_t> fronts_;  // the first node of each key
   std::priority_queue<std::pair<double, std::uint32_t>, std::vector<std::pair<double, std::uint32_t>>, std::greater<>> front_;
   double cost_to_goal_ = kInfinite;
   std::uint32_t before_goal_ = kNone;

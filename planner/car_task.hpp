@@ -6,6 +6,7 @@
 
 #include "planner/alignability_objective.hpp"
 #include "planner/drivable_area.hpp"
+#include "planner/path_limits.hpp"
 #include "planner/pose_goal.hpp"
 
 namespace alignability {
@@ -17,6 +18,7 @@ struct CarTask {
   Pose2 start;
   Pose2 goal;
   GoalTolerance tolerance;
+  PathLimits limits = {};  ///< kept all along
 };
 
 /// From pose to pose by a curve.

@@ -39,6 +39,9 @@ class Curve {
   std::size_t count_ = 0;
 };
 
+/// How far a curve may be from the chord between two poses of a path [m].
+inline constexpr double kLargestSagitta = 1e-3;
+
 /// Poses along curves that go on from one another, their ends among them: so many that nothing on an arc is further than `sagitta` [m] from
 /// the chord between two. Yaws in [-π, π].
 std::vector<Pose2> poses_along(std::span<const Curve> curves, double sagitta);

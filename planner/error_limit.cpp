@@ -9,15 +9,25 @@ namespace {
 
 constexpr double kStep = 0.05;  // [m], on which α is taken for one
 
-// Calls `visit(α, metres)` for each step of a straight way, until it returns false.
-template <typename Visit>
-void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk, Visit visit) {
-  const double length = (to - from).norm();
+// Calls `visit(α, metres)` for each step of a way, until it returns false. `at(share)`: the place after that share of it.
+template <typename At, typename Visit>
+void walk(double length, const RiskField& risk, At at, Visit visit) {
   const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
   for (int i = 0; i < steps; ++i) {
-    const Eigen::Vector2d middle = from + (i + 0.5) / steps * (to - from);
+    const Eigen::Vector2d middle = at((i + 0.5) / steps);
     if (!visit(risk.alpha(middle.x(), middle.y(), 0.0), length / steps)) return;
   }
+}
+
+template <typename Visit>
+void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk, Visit visit) {
+  walk((to - from).norm(), risk, [&](double share) -> Eigen::Vector2d { return from + share * (to - from); }, visit);
+}
+
+template <typename Visit>
+void walk(const Arc& arc, const RiskField& risk, Visit visit) {
+  walk(
+      arc.length(), risk, [&](double share) { return arc.at(share * arc.length()).position(); }, visit);
 }
 
 }  // namespace
@@ -44,6 +54,21 @@ double greatest_predicted_error(std::span<const Pose2> path, const RiskField& ri
   return most;
 }
 
+double greatest_predicted_error(std::span<const Curve> path, const RiskField& risk, const ErrorModel& model) {
+  double error = model.least;
+  double most = error;
+  for (const Curve& curve : path) {
+    for (const Arc& arc : curve.arcs()) {
+      walk(arc, risk, [&](double alpha, double metres) {
+        error = model.advanced(error, alpha, metres);
+        most = std::max(most, error);
+        return true;
+      });
+    }
+  }
+  return most;
+}
+
 ErrorLimit::Change ErrorLimit::change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
   Change change{{}, (to - from).norm()};
   walk(from, to, risk, [&](double alpha, double metres) {
@@ -54,12 +79,13 @@ ErrorLimit::Change ErrorLimit::change(const Eigen::Vector2d& from, const Eigen::
 }
 
 std::optional<double> ErrorLimit::after(double error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
-  bool kept = true;
-  walk(from, to, risk, [&](double alpha, double metres) {
-    error = model.advanced(error, alpha, metres);
-    return kept = error <= most;
-  });
-  return kept ? std::optional(error) : std::nullopt;
+  walk(from, to, risk, [&](double alpha, double metres) { return (error = model.advanced(error, alpha, metres)) <= most; });
+  return error <= most ? std::optional(error) : std::nullopt;
+}
+
+std::optional<double> ErrorLimit::after(double error, const Arc& arc, const RiskField& risk) const {
+  walk(arc, risk, [&](double alpha, double metres) { return (error = model.advanced(error, alpha, metres)) <= most; });
+  return error <= most ? std::optional(error) : std::nullopt;
 }
 
 std::optional<double> ErrorLimit::after(double error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,

@@ -9,6 +9,7 @@
 #include "core/pose.hpp"
 #include "costmap/error_model.hpp"
 #include "costmap/risk_field.hpp"
+#include "planner/curve.hpp"
 
 namespace alignability {
 
@@ -24,6 +25,7 @@ std::vector<PredictedError> predicted_errors(std::span<const Pose2> path, const 
 
 /// The greatest of them; the model's least for a path that goes nowhere.
 double greatest_predicted_error(std::span<const Pose2> path, const RiskField& risk, const ErrorModel& model);
+double greatest_predicted_error(std::span<const Curve> path, const RiskField& risk, const ErrorModel& model);
 
 /// No error above so many metres may be predicted anywhere on a path. Safe to read from many threads.
 struct ErrorLimit {
@@ -44,8 +46,9 @@ struct ErrorLimit {
   /// The same, sooner, of a way whose change is known.
   std::optional<State> after(State error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                              const RiskField& risk) const;
+  /// Along an arc.
+  std::optional<State> after(State error, const Arc& arc, const RiskField& risk) const;
   bool is_no_worse(State one, State other, double alike) const { return one <= other + alike * most; }
-  double urgency(State error) const { return error; }
 };
 
 }  // namespace alignability

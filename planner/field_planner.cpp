@@ -5,8 +5,7 @@
 #include <ompl/util/Exception.h>
 
 #include "planner/alignability_objective.hpp"
-#include "planner/car_refinement.hpp"
-#include "planner/car_search.hpp"
+#include "planner/car_path.hpp"
 #include "planner/drivability.hpp"
 #include "planner/goal_field.hpp"
 #include "planner/heading_search.hpp"
@@ -88,13 +87,9 @@ PathPtr best_path_of_disks(const Task& task, const ob::ProblemDefinitionPtr& pro
 
 // nullptr where the search finds none.
 PathPtr path_of_car(const CarTask& task, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
-  const auto stop = [&until] { return until.eval(); };
-  const auto lattice = std::make_shared<const CostLattice>(*task.area.risk_field(), *task.area.clearance_map(),
-                                                           task.objective.options().weight, task.area.inscribed_radius());
-  const CostBound to_go(lattice, task.goal.position(), 0.0);
-  auto poses = search_car_path(task, to_go, stop);
+  const auto poses = car_path(task, [&until] { return until.eval(); });
   if (!poses) return nullptr;
-  const PathPtr path = as_states(refined(std::move(*poses), task, stop), si);
+  const PathPtr path = as_states(*poses, si);
   return path->check() ? path : nullptr;
 }
 

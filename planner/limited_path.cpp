@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/limited_path.hpp"
 
+#include <algorithm>
+
+#include "planner/least_limit.hpp"
 #include "planner/limited_search.hpp"
 
 namespace alignability {
@@ -13,11 +16,10 @@ constexpr double kSpacings[] = {0.5, 0.25};  // of the places searched, the next
 constexpr double kAlike[] = {0.02, 0.001};
 
 // Up to where the path is within the tolerance of its end.
-template <typename Limit>
-bool is_kept(const PlanarPath& whole, const PlanarMotion& motion, const Limit& limit, double tolerance) {
+bool is_kept(const PlanarPath& whole, const PlanarMotion& motion, const PathLimits& limits, double tolerance) {
   const PlanarPath path = cut_within(whole, tolerance);
-  std::optional<typename Limit::State> state = limit.at_start();
-  for (std::size_t i = 1; state && i < path.size(); ++i) state = limit.after(*state, path[i - 1], path[i], *motion.risk);
+  std::optional<PathLimits::State> state = limits.at_start();
+  for (std::size_t i = 1; state && i < path.size(); ++i) state = limits.after(*state, path[i - 1], path[i], *motion.risk);
   return state.has_value();
 }
 
@@ -27,9 +29,8 @@ double cost_of(const PlanarPath& path, const PlanarMotion& motion) {
   return cost;
 }
 
-// Leaves out vertices, the longest row of them first, as long as that makes the path no dearer and keeps the limit.
-template <typename Limit>
-PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const Limit& limit, double tolerance) {
+// Leaves out vertices, the longest row of them first, as long as that makes the path no dearer and keeps the limits.
+PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const PathLimits& limits, double tolerance) {
   constexpr std::size_t kWindow = 32;
   for (std::size_t i = 0; i + 2 < path.size(); ++i) {
     for (std::size_t k = std::min(path.size() - 1, i + kWindow); k > i + 1; --k) {
@@ -37,7 +38,7 @@ PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const Lim
       if (motion.cost(path[i], path[k]) > cost_of(replaced, motion) * (1.0 + 1e-9) || !motion.is_allowed(path[i], path[k])) continue;
       PlanarPath shorter = path;
       shorter.erase(shorter.begin() + static_cast<std::ptrdiff_t>(i) + 1, shorter.begin() + static_cast<std::ptrdiff_t>(k));
-      if (!is_kept(shorter, motion, limit, tolerance)) continue;
+      if (!is_kept(shorter, motion, limits, tolerance)) continue;
       path = std::move(shorter);
       break;
     }
@@ -45,52 +46,14 @@ PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const Lim
   return path;
 }
 
-template <typename Limit>
-PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const Limit& limit, double tolerance) {
-  path = with_shortcuts(std::move(path), motion, limit, tolerance);
+PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const PathLimits& limits, double tolerance) {
+  path = with_shortcuts(std::move(path), motion, limits, tolerance);
   for (const double spacing : {2.0, 1.0, 0.5}) {
     path = subdivided(path, spacing, motion);
-    relax(path, motion, 0.25 * spacing, [&](const PlanarPath& moved) { return is_kept(moved, motion, limit, tolerance); });
-    path = with_shortcuts(std::move(path), motion, limit, tolerance);
+    relax(path, motion, 0.25 * spacing, [&](const PlanarPath& moved) { return is_kept(moved, motion, limits, tolerance); });
+    path = with_shortcuts(std::move(path), motion, limits, tolerance);
   }
   return path;
-}
-
-template <typename Limit>
-std::optional<PlanarPath> search(const PlanarMotion& motion, const Limit& limit, const LimitedWay& way, const std::stop_token& stop) {
-  for (const double spacing : kSpacings) {
-    const LimitedSearch search(motion, limit, spacing, way);
-    const auto any = search.any(limit, kAlike[1], stop);
-    if (!any) continue;
-    for (const double alike : kAlike) {
-      if (const auto path = search.cheapest(alike, stop)) return freed(*path, motion, limit, way.tolerance);
-    }
-    return freed(*any, motion, limit, way.tolerance);
-  }
-  return std::nullopt;
-}
-
-// Of limits like the one given, the smallest that can be kept, to within 1 % or 1 mm; none is smaller than `least`, and one that is greater
-// than the one given will do no more.
-template <typename Limit>
-std::optional<double> smallest(const PlanarMotion& motion, Limit limit, double least, const LimitedWay& way, const std::stop_token& stop) {
-  const double most = limit.most;
-  const LimitedSearch search(motion, limit, kSpacings[1], way);
-  const auto does = [&](double tried) {
-    limit.most = tried;
-    return search.any(limit, kAlike[1], stop).has_value();
-  };
-  double too_little = least;
-  double enough = std::max(2.0 * least, 1e-3);
-  for (; !does(enough); enough *= 2.0) {
-    if (enough > most || stop.stop_requested()) return std::nullopt;
-    too_little = enough;
-  }
-  while (enough - too_little > std::max(0.01 * enough, 1e-3)) {
-    const double middle = 0.5 * (enough + too_little);
-    (does(middle) ? enough : too_little) = middle;
-  }
-  return stop.stop_requested() ? std::nullopt : std::optional(enough);
 }
 
 // More metres than any way can have that is at each place once.
@@ -101,28 +64,45 @@ double longest_way(const PlanarMotion& motion) {
 
 }  // namespace
 
-bool keeps(const PlanarPath& path, const PlanarMotion& motion, const ErrorLimit& limit) { return is_kept(path, motion, limit, 0.0); }
+bool keeps(const PlanarPath& path, const PlanarMotion& motion, const PathLimits& limits) { return is_kept(path, motion, limits, 0.0); }
 
-bool keeps(const PlanarPath& path, const PlanarMotion& motion, const BlindLimit& limit) { return is_kept(path, motion, limit, 0.0); }
-
-std::optional<PlanarPath> path_within(const PlanarMotion& motion, const ErrorLimit& limit, const LimitedWay& way,
+std::optional<PlanarPath> path_within(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
                                       const std::stop_token& stop) {
-  return limit.model.least > limit.most ? std::nullopt : search(motion, limit, way, stop);
+  if (limits.error && limits.error->model.least > limits.error->most) return std::nullopt;
+  for (const double spacing : kSpacings) {
+    const LimitedSearch search(motion, limits, spacing, way, stop);
+    const auto any = search.any(limits, kAlike[1]);
+    if (!any) continue;
+    for (const double alike : kAlike) {
+      if (const auto path = search.cheapest(alike)) return freed(*path, motion, limits, way.tolerance);
+    }
+    return freed(*any, motion, limits, way.tolerance);
+  }
+  return std::nullopt;
 }
 
-std::optional<PlanarPath> path_within(const PlanarMotion& motion, const BlindLimit& limit, const LimitedWay& way,
-                                      const std::stop_token& stop) {
-  return search(motion, limit, way, stop);
+std::optional<double> smallest_max_error(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
+                                         const std::stop_token& stop) {
+  const ErrorModel& model = limits.error->model;
+  const LimitedSearch search(motion, limits, kSpacings[1], way, stop);
+  const LimitRange range{.least = model.least, .most = model.least + model.growth * longest_way(motion)};
+  const auto does = [&](double most) {
+    PathLimits tried = limits;
+    tried.error->most = most;
+    return search.any(tried, kAlike[1]).has_value();
+  };
+  return least_limit(range, does, stop);
 }
 
-std::optional<double> smallest_limit(const PlanarMotion& motion, const ErrorModel& model, const LimitedWay& way,
-                                     const std::stop_token& stop) {
-  return smallest(motion, ErrorLimit{model, model.least + model.growth * longest_way(motion)}, model.least, way, stop);
-}
-
-std::optional<double> smallest_blind_limit(const PlanarMotion& motion, double recovery, const LimitedWay& way,
-                                           const std::stop_token& stop) {
-  return smallest(motion, BlindLimit{longest_way(motion), recovery}, 0.0, way, stop);
+std::optional<double> smallest_max_blind_distance(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
+                                                  const std::stop_token& stop) {
+  const LimitedSearch search(motion, limits, kSpacings[1], way, stop);
+  const auto does = [&](double most) {
+    PathLimits tried = limits;
+    tried.blind->most = most;
+    return search.any(tried, kAlike[1]).has_value();
+  };
+  return least_limit({.least = 0.0, .most = longest_way(motion)}, does, stop);
 }
 
 }  // namespace alignability

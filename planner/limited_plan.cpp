@@ -2,7 +2,10 @@
 #include "planner/limited_plan.hpp"
 
 #include <algorithm>
+#include <functional>
 
+#include "planner/car_path.hpp"
+#include "planner/least_limit.hpp"
 #include "planner/limited_path.hpp"
 #include "planner/planar_plan.hpp"
 #include "planner/planners.hpp"
@@ -14,43 +17,120 @@ namespace {
 // the next where that was not enough.
 constexpr double kStricter[] = {0.999, 0.99, 0.95};
 
-PlanResult infeasible(const PlanResult& result) {
+// What a solved plan is to be replaced for: the same query within its limits.
+struct Limited {
+  const PlanResult& free;
+  const std::optional<ErrorModel>& model;
+  const DrivableArea& area;
+  const AlignabilityObjective& objective;
+  std::stop_token stop;
+
+  const PlanQuery& query() const { return free.query; }
+  bool is_car() const { return objective.steering() != nullptr; }
+  PathLimits limits(double stricter) const {
+    PathLimits limits;
+    if (query().max_error) limits.error = ErrorLimit{*model, stricter * *query().max_error};
+    if (query().max_blind_distance) limits.blind = BlindLimit{*query().max_blind_distance, query().recovery_distance};
+    return limits;
+  }
+  PlanarMotion motion() const { return {area.risk_field(), area.clearance_map(), query().weight, area.circumscribed_radius()}; }
+  // Short of the tolerance by as much as the path is cut.
+  LimitedWay way() const { return {query().start.position(), query().goal.position(), (1.0 - 1e-6) * query().goal_tolerance.position}; }
+};
+
+// How far it errs, and how blind it gets.
+PlanResult with_states(PlanResult result, const std::optional<ErrorModel>& model, const RiskField& risk) {
+  const bool is_car = !result.curves.empty();
+  const double recovery = result.query.recovery_distance;
+  if (model) {
+    result.predicted_error =
+        is_car ? greatest_predicted_error(result.curves, risk, *model) : greatest_predicted_error(result.path, risk, *model);
+  }
+  if (result.query.max_blind_distance) {
+    result.longest_unrecovered =
+        is_car ? longest_unrecovered(result.curves, risk, recovery) : longest_unrecovered(result.path, risk, recovery);
+  }
+  return result;
+}
+
+bool keeps_error(const PlanResult& result) { return !result.query.max_error || *result.predicted_error <= *result.query.max_error; }
+
+bool keeps_blind_distance(const PlanResult& result) {
+  return !result.query.max_blind_distance || *result.longest_unrecovered <= *result.query.max_blind_distance + BlindLimit::kRounding;
+}
+
+std::optional<std::vector<Pose2>> car_within(const Limited& limited, const PathLimits& limits) {
+  const PlanQuery& query = limited.query();
+  return car_path({limited.area, limited.objective, query.start, query.goal, query.goal_tolerance, limits},
+                  [&] { return limited.stop.stop_requested(); });
+}
+
+PlanResult solved_by_car(const std::vector<Pose2>& poses, const Limited& limited) {
+  PlanResult result;
+  result.status = PlanStatus::solved;
+  result.query = limited.query();
+  result.curves = curves_through(poses, *limited.objective.steering());
+  result.path = driven_poses(result.curves, limited.area);
+  for (const Curve& curve : result.curves) result.cost += limited.objective.cost_of(curve);
+  result.figures = measure(result.curves, *limited.area.risk_field());
+  return result;
+}
+
+std::optional<PlanResult> plan_within(const Limited& limited, const PathLimits& limits) {
+  if (limited.is_car()) {
+    const auto poses = car_within(limited, limits);
+    return poses ? std::optional(solved_by_car(*poses, limited)) : std::nullopt;
+  }
+  const auto path = path_within(limited.motion(), limits, limited.way(), limited.stop);
+  return path ? std::optional(solved_along(*path, limited.query(), *limited.area.risk_field())) : std::nullopt;
+}
+
+// The smallest that a car was found to keep, to within a tenth: each try is a search of its own.
+std::optional<double> smallest_of_car(const Limited& limited, double most, const std::function<PathLimits(double)>& limits) {
+  return least_limit(
+      {.least = 0.0, .most = most, .share = 0.1}, [&](double tried) { return car_within(limited, limits(tried)).has_value(); },
+      limited.stop);
+}
+
+std::optional<double> smallest_max_error(const Limited& limited) {
+  const PathLimits limits = limited.limits(1.0);
+  if (!limited.is_car()) return smallest_max_error(limited.motion(), limits, limited.way(), limited.stop);
+  return smallest_of_car(limited, *limited.free.predicted_error, [&](double most) {
+    PathLimits tried = limits;
+    tried.error->most = most;
+    return tried;
+  });
+}
+
+std::optional<double> smallest_max_blind_distance(const Limited& limited) {
+  const PathLimits limits = limited.limits(1.0);
+  if (!limited.is_car()) return smallest_max_blind_distance(limited.motion(), limits, limited.way(), limited.stop);
+  return smallest_of_car(limited, *limited.free.longest_unrecovered, [&](double most) {
+    PathLimits tried = limits;
+    tried.blind->most = most;
+    return tried;
+  });
+}
+
+// What was found, or what the free plan comes to where that does and is less.
+std::optional<double> smaller(const std::optional<double>& found, bool free_does, double free) {
+  return free_does ? std::min(found.value_or(free), free) : found;
+}
+
+PlanResult infeasible(const Limited& limited) {
   PlanResult none;
   none.status = PlanStatus::infeasible;
-  none.query = result.query;
-  none.lower_bound = result.lower_bound;
-  return none;
-}
-
-PlanResult within_error(const PlanResult& result, const ErrorModel& model, const PlanarMotion& motion, const LimitedWay& way,
-                        const std::stop_token& stop) {
-  const double most = *result.query.max_error;
-  for (const double stricter : kStricter) {
-    const auto path = path_within(motion, {model, stricter * most}, way, stop);
-    if (!path) break;
-    PlanResult limited = solved_along(*path, result.query, *motion.risk);
-    limited.lower_bound = result.lower_bound;
-    limited.predicted_error = greatest_predicted_error(limited.path, *motion.risk, model);
-    if (*limited.predicted_error <= most) return limited;
+  none.query = limited.query();
+  none.lower_bound = limited.free.lower_bound;
+  if (none.query.max_error) {
+    auto smallest = smallest_max_error(limited);
+    if (smallest) *smallest /= kStricter[0];
+    none.smallest_max_error = smaller(smallest, keeps_blind_distance(limited.free), *limited.free.predicted_error);
   }
-  PlanResult none = infeasible(result);
-  // What the path without a limit comes to will do in any case.
-  const auto smallest = smallest_limit(motion, model, way, stop);
-  none.smallest_max_error = std::min(*result.predicted_error, smallest.value_or(*result.predicted_error) / kStricter[0]);
-  return none;
-}
-
-PlanResult within_blind_distance(const PlanResult& result, const PlanarMotion& motion, const LimitedWay& way, const std::stop_token& stop) {
-  const double recovery = result.query.recovery_distance;
-  if (const auto path = path_within(motion, BlindLimit{*result.query.max_blind_distance, recovery}, way, stop)) {
-    PlanResult limited = solved_along(*path, result.query, *motion.risk);
-    limited.lower_bound = result.lower_bound;
-    limited.longest_unrecovered = longest_unrecovered(limited.path, *motion.risk, recovery);
-    if (*limited.longest_unrecovered <= *result.query.max_blind_distance + BlindLimit::kRounding) return limited;
+  if (none.query.max_blind_distance) {
+    none.smallest_max_blind_distance =
+        smaller(smallest_max_blind_distance(limited), keeps_error(limited.free), *limited.free.longest_unrecovered);
   }
-  PlanResult none = infeasible(result);
-  const auto smallest = smallest_blind_limit(motion, recovery, way, stop);
-  none.smallest_max_blind_distance = std::min(*result.longest_unrecovered, smallest.value_or(*result.longest_unrecovered));
   return none;
 }
 
@@ -58,27 +138,26 @@ PlanResult within_blind_distance(const PlanResult& result, const PlanarMotion& m
 
 std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::optional<ErrorModel>& model) {
   if (!query.max_error && !query.max_blind_distance) return std::nullopt;
-  if (query.max_error && query.max_blind_distance) return "give a limit of the error or one of blind metres, not both";
   if (query.max_error && !model) return "a limit of the error needs an alignability map with an error model: 'calibrate' makes one";
-  if (is_curved(query.motion.space)) return "limits of the error and of blind metres are kept in the spaces r2 and se2 alone";
   if (query.planner.name == kDefaultPlanner) return std::nullopt;
   return std::string(query.max_error ? "a limit of the error" : "a limit of blind metres") + " is kept by the planner '" + kDefaultPlanner +
          "' alone";
 }
 
-PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area, const std::stop_token& stop) {
-  const PlanQuery& query = result.query;
-  const PlanarMotion motion{area.risk_field(), area.clearance_map(), query.weight, area.circumscribed_radius()};
-  // Short of the tolerance by as much as the path is cut.
-  const LimitedWay way{query.start.position(), query.goal.position(), (1.0 - 1e-6) * query.goal_tolerance.position};
-  if (model) result.predicted_error = greatest_predicted_error(result.path, *motion.risk, *model);
-  if (query.max_error && *result.predicted_error > *query.max_error) return within_error(result, *model, motion, way, stop);
-  if (query.max_blind_distance) {
-    result.longest_unrecovered = longest_unrecovered(result.path, *motion.risk, query.recovery_distance);
-    if (*result.longest_unrecovered > *query.max_blind_distance + BlindLimit::kRounding)
-      return within_blind_distance(result, motion, way, stop);
+PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area,
+                        const AlignabilityObjective& objective, const std::stop_token& stop) {
+  result = with_states(std::move(result), model, *area.risk_field());
+  if (keeps_error(result) && keeps_blind_distance(result)) return result;
+  const Limited limited{result, model, area, objective, stop};
+  for (const double stricter : kStricter) {
+    auto within = plan_within(limited, limited.limits(stricter));
+    if (!within) break;
+    within = with_states(std::move(*within), model, *area.risk_field());
+    within->lower_bound = result.lower_bound;
+    if (keeps_error(*within) && keeps_blind_distance(*within)) return *within;
+    if (!result.query.max_error) break;
   }
-  return result;
+  return infeasible(limited);
 }
 
 }  // namespace alignability

@@ -54,7 +54,7 @@ class FigureSum {
   }
 
   void add_piece(const BilinearAlongArc& alpha) {
-    if (std::isnan(alpha.value) || std::isnan(alpha.twist) || alpha.gradient.hasNaN()) {
+    if (!alpha.is_number()) {
       add_stretch(alpha.length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
       return;
     }

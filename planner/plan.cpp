@@ -19,6 +19,7 @@
 
 #include "planner/alignability_objective.hpp"
 #include "planner/alpha_floor.hpp"
+#include "planner/car_path.hpp"
 #include "planner/drivability.hpp"
 #include "planner/dubins_space.hpp"
 #include "planner/headings.hpp"
@@ -150,11 +151,9 @@ std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& quer
 
 std::vector<Curve> curves_of(const og::PathGeometric& path, const Steering& steering) {
   const StateProjection projection = projection_of(path.getSpaceInformation()->getStateSpace());
-  std::vector<Curve> curves;
-  for (unsigned int i = 1; i < path.getStateCount(); ++i) {
-    curves.push_back(steering.word(projection(path.getState(i - 1)), projection(path.getState(i))));
-  }
-  return curves;
+  std::vector<Pose2> poses;
+  for (unsigned int i = 0; i < path.getStateCount(); ++i) poses.push_back(projection(path.getState(i)));
+  return curves_through(poses, steering);
 }
 
 // What is said of a path that the planner found.
@@ -165,8 +164,7 @@ void describe(PlanResult& result, og::PathGeometric& path, const ob::Optimizatio
   result.path = poses_of(path, result.query);
   result.cost = path.cost(objective).value();
   if (steering != nullptr) result.curves = curves_of(path, *steering);
-  if (!result.curves.empty())
-    result.path = poses_along(result.curves, kLargestSagitta, [&](const Pose2& from, const Pose2& to) { return area.contains(from, to); });
+  if (!result.curves.empty()) result.path = driven_poses(result.curves, area);
   result.figures = result.curves.empty() ? measure(result.path, risk) : measure(result.curves, risk);
 }
 
@@ -322,7 +320,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   }
   if (path && result.status != PlanStatus::interrupted) {
     describe(result, *path, objective, objective->steering(), area);
-    result = within_limit(std::move(result), fields.error_model, area, options.stop);
+    result = within_limit(std::move(result), fields.error_model, area, *objective, options.stop);
     if (options.stop.stop_requested()) result = interrupted(result.query);
   }
   result.seconds = watch.seconds();

@@ -33,9 +33,6 @@ struct PlanOptions {
   std::stop_token stop;
 };
 
-/// How far a curve may be from the chord between two poses of a path [m].
-inline constexpr double kLargestSagitta = 1e-3;
-
 struct PlanResult {
   PlanStatus status = PlanStatus::timeout;
   PlanQuery query;  ///< as planned, the planner's name filled in, the risk's options those of the fields
@@ -67,11 +64,11 @@ struct PlanningFields {
 };
 
 /// Plans with OMPL. Where the path would break the query's `max_error` or `max_blind_distance`, a search over places and states looks for
-/// one that keeps it (see path_within), for the disk around the robot; infeasible where it finds none, and where
-/// every way, start and goal included, leads over places below the floor of α. Seeds OMPL's generators, which the whole process shares:
-/// one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan has no
-/// path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner than
-/// `field`.
+/// one that keeps both, for the disk around the robot (see path_within) or for the car (see car_path); infeasible where it finds none, and
+/// where every way, start and goal included, leads over places below the floor of α. Seeds OMPL's generators, which the whole process
+/// shares: one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan
+/// has no path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner
+/// than `field`.
 PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 PlanResult plan(const PlanProblem& problem, const PlanOptions& options);
 

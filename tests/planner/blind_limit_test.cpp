@@ -9,6 +9,7 @@
 #include "planner/limited_path.hpp"
 #include "planner/limited_search.hpp"
 #include "planner/plan.hpp"
+#include "tests/planner/blind_walk.hpp"
 #include "tests/planner/island.hpp"
 #include "tests/planner/patience.hpp"
 #include "tests/planner/plane_site.hpp"
@@ -16,26 +17,6 @@
 
 namespace alignability {
 namespace {
-
-// The same by small steps, with nothing of the library's but α.
-double walked(std::span<const Pose2> path, const RiskField& risk, double recovery, double step) {
-  double blind = 0.0, safe = std::numeric_limits<double>::infinity(), longest = 0.0;
-  for (std::size_t i = 1; i < path.size(); ++i) {
-    const Eigen::Vector2d from = path[i - 1].position(), to = path[i].position();
-    const int steps = std::max(1, static_cast<int>(std::ceil((to - from).norm() / step)));
-    for (int k = 0; k < steps; ++k) {
-      const Eigen::Vector2d at = from + (k + 0.5) / steps * (to - from);
-      const double metres = (to - from).norm() / steps;
-      const double alpha = risk.alpha(at.x(), at.y(), 0.0);
-      const bool is_blind = std::isnan(alpha) ? risk.options().unknown != UnknownPolicy::neutral : alpha < risk.options().alpha_critical;
-      safe = !std::isnan(alpha) && alpha >= risk.options().alpha_safe ? safe + metres : 0.0;
-      if (is_blind) blind += metres;
-      if (safe >= recovery) blind = 0.0;
-      longest = std::max(longest, blind);
-    }
-  }
-  return longest;
-}
 
 TEST(BlindLimit, CountsAsAWalkByMillimetresDoes) {
   std::mt19937_64 engine(5);
@@ -48,7 +29,7 @@ TEST(BlindLimit, CountsAsAWalkByMillimetresDoes) {
     const RiskField risk(problem.alignability, problem.occupancy, problem.query.risk);
     std::vector<Pose2> path;
     for (int i = 0; i < 6; ++i) path.push_back({x(engine), y(engine), 0.0});
-    EXPECT_NEAR(longest_unrecovered(path, risk, 0.7), walked(path, risk, 0.7, 1e-3), 0.01);
+    EXPECT_NEAR(longest_unrecovered(path, risk, 0.7), test::walked_unrecovered(path, risk, 0.7), 0.01);
   }
 }
 
@@ -88,7 +69,7 @@ class MaxBlindDistance : public testing::Test {
   void expect_kept(const PlanResult& result, double most, double recovery) const {
     ASSERT_EQ(result.status, PlanStatus::solved);
     // The path may be safe for no longer than it must, which steps of a millimetre do not tell.
-    EXPECT_LE(walked(result.path, risk, recovery - 0.01, 1e-3), most + 0.01);
+    EXPECT_LE(test::walked_unrecovered(result.path, risk, recovery - 0.01), most + 0.01);
     EXPECT_LE(*result.longest_unrecovered, most);
   }
 
@@ -146,12 +127,9 @@ TEST_F(MaxBlindDistance, CountsNoFurtherThanTheTolerance) {
   EXPECT_LE((result.path.back().position() - problem.query.goal.position()).norm(), 1.0);
 }
 
-TEST_F(MaxBlindDistance, IsForOurPlannerAndNotTogetherWithALimitOfTheError) {
+TEST_F(MaxBlindDistance, IsForOurPlanner) {
   problem.query.max_blind_distance = 10.0;
   problem.query.planner.name = "bitstar";
-  EXPECT_THROW(plan(problem, {}), std::invalid_argument);
-  problem.query.planner.name = "field";
-  problem.query.max_error = 0.2;
   EXPECT_THROW(plan(problem, {}), std::invalid_argument);
 }
 
@@ -222,20 +200,20 @@ TEST(LimitedSearch, AgreesWithBruteForceOnSmallMaps) {
     const Eigen::Vector2d start(0.6, 2.6), goal(6.4, 2.4);
     for (const double most : {0.6, 1.2}) {
       const BlindLimit limit{.most = most, .recovery = 0.8};
-      const detail::LimitedSearch search(motion, limit, 0.5, {start, goal});
-      const auto path = search.cheapest(0.0, {});
+      const detail::LimitedSearch search(motion, {.blind = limit}, 0.5, {start, goal}, {});
+      const auto path = search.cheapest(0.0);
       const double at_least = least_cost(motion, limit, 0.5, start, goal, [](double value) { return std::floor(value); });
       const double at_most = least_cost(motion, limit, 0.5, start, goal, [](double value) { return std::ceil(value); });
       if (path) {
         EXPECT_GE(test::cost_of(*path, motion), at_least - 1e-9);
         EXPECT_LE(test::cost_of(*path, motion), at_most + 1e-9);
-        EXPECT_TRUE(keeps(*path, motion, limit));
+        EXPECT_TRUE(keeps(*path, motion, {.blind = limit}));
       } else {
         EXPECT_EQ(at_most, std::numeric_limits<double>::infinity());
       }
-      EXPECT_EQ(search.any(limit, 0.0, {}).has_value(), path.has_value());
-      const detail::LimitedSearch unlimited(motion, BlindLimit{.most = 100.0}, 0.5, {start, goal});
-      limited += at_least > 1.01 * test::cost_of(*unlimited.cheapest(0.0, {}), motion) ? 1 : 0;
+      EXPECT_EQ(search.any({.blind = limit}, 0.0).has_value(), path.has_value());
+      const detail::LimitedSearch unlimited(motion, {.blind = BlindLimit{.most = 100.0}}, 0.5, {start, goal}, {});
+      limited += at_least > 1.01 * test::cost_of(*unlimited.cheapest(0.0), motion) ? 1 : 0;
     }
   }
   EXPECT_GT(limited, 5 / test::kOneOf);

@@ -8,6 +8,7 @@
 #include "core/progress.hpp"
 #include "planner/random_pairs.hpp"
 #include "tests/costmap/segment_oracle.hpp"
+#include "tests/planner/blind_walk.hpp"
 #include "tests/planner/collision_oracle.hpp"
 #include "tests/planner/two_corridors.hpp"
 
@@ -51,28 +52,6 @@ TEST_F(TradeOff, NoPathOfTheOthersWouldCostLess) {
   }
 }
 
-// By millimetres: the most blind ones before so many safe ones on end.
-double longest_unrecovered_by_millimetres(const PlanResult& result, const RiskField& risk) {
-  constexpr double kStep = 1e-3;
-  double blind = 0.0;
-  double safe = 0.0;
-  double longest = 0.0;
-  for (std::size_t i = 1; i < result.path.size(); ++i) {
-    const Eigen::Vector2d from = result.path[i - 1].position();
-    const Eigen::Vector2d way = result.path[i].position() - from;
-    const int steps = static_cast<int>(std::ceil(way.norm() / kStep));
-    for (int k = 0; k < steps; ++k) {
-      const Eigen::Vector2d at = from + (k + 0.5) / steps * way;
-      const double alpha = risk.alpha(at.x(), at.y(), 0.0);
-      if (alpha < risk.options().alpha_critical) blind += way.norm() / steps;
-      safe = alpha >= risk.options().alpha_safe ? safe + way.norm() / steps : 0.0;
-      if (safe >= result.query.recovery_distance) blind = 0.0;
-      longest = std::max(longest, blind);
-    }
-  }
-  return longest;
-}
-
 TEST_F(TradeOff, EachLimitOfBlindMetresIsKeptByAWalkByMillimetresAndNoOtherPathThatKeepsItIsShorter) {
   problem.query.planner.name.clear();
   const std::array limits{20.0, 11.0, 6.0, 0.0};
@@ -82,7 +61,8 @@ TEST_F(TradeOff, EachLimitOfBlindMetresIsKeptByAWalkByMillimetresAndNoOtherPathT
   for (std::size_t i = 0; i < limits.size(); ++i) {
     ASSERT_EQ(limited[i].status, PlanStatus::solved);
     EXPECT_EQ(limited[i].query.max_blind_distance, limits[i]);
-    EXPECT_NEAR(longest_unrecovered_by_millimetres(limited[i], *fields.risk), *limited[i].longest_unrecovered, 0.01);
+    EXPECT_NEAR(test::walked_unrecovered(limited[i].path, *fields.risk, problem.query.recovery_distance), *limited[i].longest_unrecovered,
+                0.01);
     EXPECT_LE(*limited[i].longest_unrecovered, limits[i] + 1e-9);
     if (i > 0) {
       EXPECT_GE(limited[i].cost, limited[i - 1].cost);

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <stop_token>
+
+namespace alignability {
+
+/// Where a limit is looked for that can be kept.
+struct LimitRange {
+  double least = 0.0;   ///< no smaller one can be
+  double most = 0.0;    ///< a greater one will do no more
+  double share = 0.01;  ///< how near to the smallest that is near enough, or within a thousandth
+};
+
+/// The smallest limit that does, as near as asked, itself one that does; nullopt where none does, and when stopped. What does must do when
+/// greater.
+std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const std::stop_token& stop);
+
+}  // namespace alignability
