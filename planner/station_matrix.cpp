@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/station_matrix.hpp"
 
-#include <stdexcept>
 
 #include "planner/drivable_area.hpp"
 #include "planner/goal_field.hpp"
@@ -36,7 +35,7 @@ class Matrix {
   // The ways between a station and those before it, and itself.
   void add(std::size_t to) {
     std::optional<GoalField> field;
-    if (is_disk() && is_allowed(to)) field.emplace(lattice_, place(to));
+    if (has_fields() && is_allowed(to)) field.emplace(lattice_, place(to));
     for (std::size_t from = 0; from <= to; ++from) {
       if (stop_.stop_requested()) throw Interrupted();
       const auto steepest = field && is_allowed(from) ? field->path_from(place(from)) : std::nullopt;
@@ -54,13 +53,17 @@ class Matrix {
   std::vector<std::vector<PlanResult>> plans() && { return std::move(plans_); }
 
  private:
-  bool is_disk() const { return query_.robot.footprint.empty(); }
+  // Whether what a field tells of the plane is all there is to tell.
+  bool has_fields() const {
+    return query_.robot.footprint.empty() && !is_curved(query_.motion.space) && !query_.max_error && !query_.max_blind_distance;
+  }
   Eigen::Vector2d place(std::size_t station) const { return stations_[station].pose.position(); }
   bool is_allowed(std::size_t station) const { return motion_.is_allowed(place(station), place(station)); }
   PlanResult along(const PlanarPath& path, std::size_t from, std::size_t to) const {
     return solved_along(path, between(stations_[from], stations_[to], query_), *fields_.risk);
   }
-  // Of a footprint, which may pass where its disk does not; and where no way is in the field, as a plan tells why.
+  // Of a footprint, which may pass where its disk does not, of a car, and within limits; and where no way is in the field, as a plan tells
+  // why.
   PlanResult searched(std::size_t from, std::size_t to) const {
     PlanResult found = plan(between(stations_[from], stations_[to], query_), fields_, {.stop = stop_});
     if (found.status == PlanStatus::interrupted) throw Interrupted();
@@ -80,11 +83,7 @@ class Matrix {
 
 std::vector<std::vector<PlanResult>> plan_between(std::span<const Station> stations, const PlanQuery& query, const PlanningFields& fields,
                                                   const StationMatrixOptions& options) {
-  if (query.max_error || query.max_blind_distance) {
-    throw std::invalid_argument("plans between stations keep no limit of the error or of blind metres");
-  }
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
-  if (is_curved(query.motion.space)) throw std::invalid_argument("stations are planned for in the spaces r2 and se2 alone");
   Matrix matrix(stations, query, fields, options.stop);
   for (std::size_t to = 0; to < stations.size(); ++to) {
     matrix.add(to);
