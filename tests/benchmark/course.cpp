@@ -16,19 +16,6 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double now() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-// From 3 ms on.
-std::vector<double> looks(double longest) {
-  constexpr int kPieces = 5;
-  std::vector<double> times;
-  double from = 0.003;
-  for (const double to : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 60.0}) {
-    for (int piece = 1; piece <= kPieces; ++piece) times.push_back(from * std::pow(to / from, static_cast<double>(piece) / kPieces));
-    from = to;
-  }
-  std::erase_if(times, [&](double time) { return time > longest * (1.0 + 1e-9); });
-  return times;
-}
-
 }  // namespace
 
 double cost_after(const Course& course, double seconds) {
@@ -45,14 +32,27 @@ double time_to(const Course& course, double cost) {
   return found == course.end() ? kInfinite : found->seconds;
 }
 
-Course observe(const Site& site, Parts parts, const MakePlanner& make, double longest) {
+// From 3 ms on.
+std::vector<double> looks_until(double longest) {
+  constexpr int kPieces = 5;
+  std::vector<double> times;
+  double from = 0.003;
+  for (const double to : {0.01, 0.03, 0.1, 0.3, 1.0, 3.0, 10.0, 30.0, 60.0}) {
+    for (int piece = 1; piece <= kPieces; ++piece) times.push_back(from * std::pow(to / from, static_cast<double>(piece) / kPieces));
+    from = to;
+  }
+  std::erase_if(times, [&](double time) { return time > longest * (1.0 + 1e-9); });
+  return times;
+}
+
+Course observe(const Site& site, Parts parts, const MakePlanner& make, const std::vector<double>& looks) {
   double begin = now();
   og::SimpleSetup setup = site.setup(parts);
   setup.setPlanner(make(setup.getSpaceInformation()));
   setup.setup();
   double spent = now() - begin;
   Course course;
-  for (const double look : looks(longest)) {
+  for (const double look : looks) {
     if (look <= spent) continue;
     begin = now();
     setup.getPlanner()->solve(ob::timedPlannerTerminationCondition(look - spent));

@@ -26,9 +26,12 @@ double time_to(const Course& course, double cost);
 
 using MakePlanner = std::function<ompl::base::PlannerPtr(const ompl::base::SpaceInformationPtr&)>;
 
-/// One search in one go, its path looked at five times between budgets, for `longest` [s] in all. Everything that the search needs made for
-/// it counts, but the risk and clearance fields, which all share; looking at its path does not.
-Course observe(const Site& site, Parts parts, const MakePlanner& make, double longest);
+/// When to look at a search that goes on until it is stopped: five times between budgets, up to `longest` [s].
+std::vector<double> looks_until(double longest);
+
+/// One search in one go, its path looked at after so many seconds in all, ascending, or when it ends by itself. Everything that the search
+/// needs made for it counts, but the risk and clearance fields, which all share; looking at its path does not.
+Course observe(const Site& site, Parts parts, const MakePlanner& make, const std::vector<double>& looks);
 
 /// A search that takes the time it takes.
 Course observe_once(const std::function<double()>& search_and_cost);
