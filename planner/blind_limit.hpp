@@ -32,7 +32,7 @@ struct BlindLimit {
   /// Of ground that is all of one kind: which. Else it is looked at again.
   struct Change {
     std::optional<Ground> all;
-    double length;  ///< [m]
+    double length = 0.0;  ///< [m]
   };
 
   double most = 0.0;      ///< [m], >= 0

@@ -32,7 +32,7 @@ struct ErrorLimit {
   using State = double;  ///< the error [m]
   struct Change {
     ErrorModel::Change of_error;
-    double length;  ///< [m]
+    double length = 0.0;  ///< [m]
   };
 
   ErrorModel model;
