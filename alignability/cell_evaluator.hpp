@@ -3,18 +3,11 @@
 
 #include <Eigen/Geometry>
 #include <optional>
-#include <string>
-#include <vector>
 
 #include "alignability/build_map.hpp"
+#include "alignability/cell_summary.hpp"
 
 namespace alignability::detail {
-
-/// What a map says of a cell, layer by layer; NaN where there is nothing to say.
-using CellValue = std::vector<float>;
-
-/// The layers of a map made with such options: alpha, samples, iqr, weak_x, weak_y, weak_z, then those of the readings.
-std::vector<std::string> layer_names(const AlignabilityOptions& options);
 
 /// Evaluates cells, each independent of the rest. Safe to call from many threads, each with its own scorer.
 class CellEvaluator {

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "alignability/log_map.hpp"
+
+#include <tbb/blocked_range.h>
+#include <tbb/enumerable_thread_specific.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
+#include <tbb/task_group.h>
+
+#include <cmath>
+#include <limits>
+#include <map>
+#include <mutex>
+#include <stdexcept>
+
+#include "alignability/cell_summary.hpp"
+#include "core/range.hpp"
+#include "lidar/scan_file.hpp"
+
+namespace alignability {
+namespace {
+
+ScoredPlace score_of(const PosedScan& posed, const LogMapOptions& options, Scorer& scorer) {
+  Scan scan = read_scan_file(posed.file);
+  if (options.range_max) scan = cropped(std::move(scan), *options.range_max);
+  const Eigen::Isometry3d& T_base_lidar = options.alignability.T_base_lidar;
+  const Eigen::Isometry3d T_map_base = posed.T_map_lidar * T_base_lidar.inverse();
+  return {T_map_base, detail::in_map(scorer.alignability(scan), T_map_base.linear(), T_base_lidar.linear())};
+}
+
+std::string to_yaml(const LogMapOptions& options) {
+  const std::string range = options.range_max ? "range_max: " + to_text(*options.range_max) + '\n' : "";
+  return range + to_yaml(options.alignability);
+}
+
+}  // namespace
+
+std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options) {
+  Scorer{options.alignability};  // throws for options that no scan could be scored with
+  if (options.range_max && !kPositive.contains(*options.range_max)) throw std::invalid_argument("range_max must be greater than 0");
+  std::vector<ScoredPlace> places(scans.size());
+  std::mutex mutex;
+  Progress progress{0, scans.size()};
+  const auto tell_of_one_more = [&] {
+    const std::scoped_lock lock(mutex);
+    ++progress.done;
+    if (options.progress) options.progress(progress);
+  };
+  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
+  arena.execute([&] {
+    // Workers compute in this thread's floating-point mode, whoever woke them first.
+    tbb::task_group_context context(tbb::task_group_context::isolated,
+                                    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
+    context.capture_fp_settings();
+    tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
+    const auto score_range = [&](const tbb::blocked_range<std::size_t>& range) {
+      Scorer& scorer = scorers.local();
+      for (std::size_t i = range.begin(); i != range.end(); ++i) {
+        if (options.stop.stop_requested()) throw Interrupted();
+        places[i] = score_of(scans[i], options, scorer);
+        tell_of_one_more();
+      }
+    };
+    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scans.size(), 1), score_range, tbb::simple_partitioner(), context);
+  });
+  return places;
+}
+
+GridGeometry geometry_around(std::span<const ScoredPlace> places, double resolution) {
+  constexpr double kMostCells = 1 << 26;
+  constexpr double kRim = 1.0;
+  if (!kPositive.contains(resolution)) throw std::invalid_argument("the resolution must be greater than 0");
+  if (places.empty()) throw std::invalid_argument("without places there is no map");
+  Eigen::Array2d low = Eigen::Array2d::Constant(std::numeric_limits<double>::infinity());
+  Eigen::Array2d high = -low;
+  for (const ScoredPlace& place : places) {
+    const Eigen::Array2d cell = (place.T_map_base.translation().head<2>().array() / resolution).floor();
+    low = low.min(cell);
+    high = high.max(cell);
+  }
+  const Eigen::Array2d size = high - low + 1.0 + 2.0 * kRim;
+  if (size.prod() > kMostCells) {
+    throw std::invalid_argument("the places spread over " + fixed_text(size.x() * resolution, 0) + " x " +
+                                fixed_text(size.y() * resolution, 0) + " m, too many cells of " + to_text(resolution) +
+                                " m; take larger ones, or those of an occupancy map");
+  }
+  return {.resolution = resolution,
+          .origin = resolution * (low - kRim).matrix(),
+          .width = static_cast<int>(size.x()),
+          .height = static_cast<int>(size.y())};
+}
+
+AlignabilityMap map_of(std::span<const ScoredPlace> places, const GridGeometry& geometry, const LogMapOptions& options) {
+  std::map<std::size_t, std::vector<Alignability>> by_cell;
+  for (const ScoredPlace& place : places) {
+    const auto cell = geometry.cell_near(place.T_map_base.translation().head<2>());
+    if (cell) by_cell[geometry.index(*cell)].push_back(place.score);
+  }
+  AlignabilityMap map;
+  map.geometry = geometry;
+  map.options = to_yaml(options);
+  for (const std::string& name : detail::layer_names(options.alignability)) {
+    map.layers.push_back({name, Grid<float>(geometry, std::numeric_limits<float>::quiet_NaN())});
+  }
+  for (const auto& [cell, scores] : by_cell) {
+    const detail::CellValue value = detail::summary(scores, options.alignability);
+    for (std::size_t layer = 0; layer < value.size(); ++layer) map.layers[layer].values[cell] = value[layer];
+  }
+  return map;
+}
+
+}  // namespace alignability
