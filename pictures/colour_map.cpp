@@ -22,6 +22,13 @@ constexpr std::array kMagma = {
     colour_from_hex(0xb73779), colour_from_hex(0x8c2981), colour_from_hex(0x641a80), colour_from_hex(0x3b0f70),
 };
 
+// The eleven classes of ColorBrewer's RdBu, the middle one white.
+constexpr std::array kRedWhiteBlue = {
+    colour_from_hex(0x67001f), colour_from_hex(0xb2182b), colour_from_hex(0xd6604d), colour_from_hex(0xf4a582),
+    colour_from_hex(0xfddbc7), colour_from_hex(0xffffff), colour_from_hex(0xd1e5f0), colour_from_hex(0x92c5de),
+    colour_from_hex(0x4393c3), colour_from_hex(0x2166ac), colour_from_hex(0x053061),
+};
+
 // Neighbours in the list are far apart in hue, lightness or both.
 constexpr std::array<Colour, kCategories> kCategoryColours = {
     colour_from_hex(0x1f77b4), colour_from_hex(0xe8710a), colour_from_hex(0x2a9d3c), colour_from_hex(0xc2185b),
@@ -57,6 +64,8 @@ ColourScale alignability_scale(Tone tone) {
 }
 
 Colour error_colour(double share) { return interpolated(kMagma, share); }
+
+Colour difference_colour(double share) { return interpolated(kRedWhiteBlue, 0.5 + 0.5 * share); }
 
 Colour wall_colour(Tone tone) { return tone == Tone::full ? colour_from_hex(0x141414) : colour_from_hex(0x585858); }
 

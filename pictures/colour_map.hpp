@@ -25,6 +25,9 @@ ColourScale alignability_scale(Tone tone);
 /// Lightness falls evenly.
 Colour error_colour(double share);
 
+/// The share in [-1,1] of a difference in the largest that is shown, from red over white at 0 to blue, shares beyond as the nearer end.
+Colour difference_colour(double share);
+
 /// Near black, and a dark grey that a black path shows on.
 Colour wall_colour(Tone tone);
 

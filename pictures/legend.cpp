@@ -60,7 +60,7 @@ void draw_open_end(const Context& context, const Rectangle& bar, const Colour& l
 
 // With an open end the last label is that of the end, and those too near to it give way.
 void draw_scale_labels(const Context& context, const Rectangle& bar, const MapLegend& legend) {
-  const Span span{0.0, legend.limit};
+  const Span span{legend.from, legend.limit};
   const Ticks ticks = ticks_within(span, bar.height, kTickSpacing);
   const bool open = legend.end == ScaleEnd::open;
   const double last = open ? 1.0 - kLeastPitch / bar.height : 1.0;
@@ -72,12 +72,15 @@ void draw_scale_labels(const Context& context, const Rectangle& bar, const MapLe
 
 void draw_scale(const Context& context, const Rectangle& bar, const MapLegend& legend) {
   for (double y = 0.0; y < bar.height; ++y) {
-    fill_rectangle(context, {bar.left, bar.top + y, bar.width, 1.0}, legend.colour_of(legend.limit * (1.0 - (y + 0.5) / bar.height)));
+    const double value = std::lerp(legend.limit, legend.from, (y + 0.5) / bar.height);
+    fill_rectangle(context, {bar.left, bar.top + y, bar.width, 1.0}, legend.colour_of(value));
   }
   if (legend.end == ScaleEnd::open) draw_open_end(context, bar, legend.colour_of(legend.limit));
   outline_rectangle(context, bar, kInk);
   draw_scale_labels(context, bar, legend);
-  for (const Threshold& threshold : legend.thresholds) draw_threshold(context, bar, threshold.value / legend.limit, threshold);
+  for (const Threshold& threshold : legend.thresholds) {
+    draw_threshold(context, bar, Span{legend.from, legend.limit}.share(threshold.value), threshold);
+  }
 }
 
 void draw_swatch(const Context& context, double left, double top, const Swatch& swatch) {

@@ -27,7 +27,8 @@ enum class ScaleEnd {
 struct MapLegend {
   std::string name;  ///< above the scale
   ColourScale colour_of;
-  double limit = 1.0;  ///< the scale goes from 0 to here
+  double from = 0.0;   ///< the scale goes from here
+  double limit = 1.0;  ///< to here
   ScaleEnd end = ScaleEnd::closed;
   std::vector<Threshold> thresholds;
   std::vector<Swatch> swatches;
