@@ -17,6 +17,8 @@ void add_scan(CLI::App& app, Work& work);
 void add_score(CLI::App& app, Work& work);
 void add_explain(CLI::App& app, Work& work);
 void add_map(CLI::App& app, Work& work);
+void add_join(CLI::App& app, Work& work);
+void add_compare_maps(CLI::App& app, Work& work);
 void add_plan(CLI::App& app, Work& work);
 void add_compare(CLI::App& app, Work& work);
 void add_evaluate(CLI::App& app, Work& work);

@@ -97,6 +97,8 @@ int main(int argc, char** argv) {
   add_score(app, work);
   add_explain(app, work);
   add_map(app, work);
+  add_join(app, work);
+  add_compare_maps(app, work);
   add_plan(app, work);
   add_compare(app, work);
   add_evaluate(app, work);

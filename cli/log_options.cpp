@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "cli/log_options.hpp"
+
+#include <iostream>
+#include <map>
+#include <stdexcept>
+
+namespace alignability::cli {
+namespace {
+
+const std::map<std::string, Pairing> kPairings{{"stamp", Pairing::stamp}, {"number", Pairing::number}, {"order", Pairing::order}};
+const std::map<std::string, TrajectoryFrame> kFrames{{"lidar", TrajectoryFrame::lidar}, {"base_link", TrajectoryFrame::base_link}};
+
+template <typename Value>
+CLI::IsMember names_of(const std::map<std::string, Value>& values) {
+  std::vector<std::string> names;
+  for (const auto& [name, value] : values) names.push_back(name);
+  return CLI::IsMember(names);
+}
+
+}  // namespace
+
+std::vector<CLI::Option*> add_log_options(CLI::App& command, LogOptions& options) {
+  CLI::Option* trajectory =
+      command.add_option("--trajectory", options.trajectory, "Poses of the scans, TUM or KITTI, one a line; # before comments");
+  CLI::Option* pair_by = command
+                             .add_option_function<std::string>(
+                                 "--pair-by", [&options](const std::string& name) { options.reading.pairing = kPairings.at(name); },
+                                 "Pose of a scan: by the stamp or number in its name, or by order (default: stamp for TUM, number where a "
+                                 "number stands before the stamp, order for KITTI)")
+                             ->check(names_of(kPairings));
+  CLI::Option* poses_of = command
+                              .add_option_function<std::string>(
+                                  "--poses-of", [&options](const std::string& name) { options.reading.frame = kFrames.at(name); },
+                                  "Whose poses these are; base_link takes --sensor, for the mount")
+                              ->check(names_of(kFrames))
+                              ->default_str("lidar");
+  CLI::Option* max_gap = command.add_option("--max-gap", options.reading.max_gap, "By stamp: a pose must be so near to a scan [s]")
+                             ->check(CLI::NonNegativeNumber)
+                             ->capture_default_str();
+  return {trajectory, pair_by, poses_of, max_gap};
+}
+
+ScanLog read_log(const LogOptions& options, const std::optional<LidarModel>& lidar) {
+  ScanLogOptions reading = options.reading;
+  if (reading.frame == TrajectoryFrame::base_link && !lidar) {
+    throw std::invalid_argument("--poses-of base_link takes --sensor: its mount says where the lidar is");
+  }
+  if (lidar) reading.T_base_lidar = lidar->T_base_lidar;
+  ScanLog log = read_scan_log(options.folder, read_trajectory(options.trajectory), reading);
+  if (const std::size_t without = log.without_a_pose.size(); without > 0) {
+    std::cerr << "warning: " << without << " of " << without + log.scans.size() << " scans have no pose and are left out, first "
+              << log.without_a_pose.front().filename().string() << '\n';
+  }
+  return log;
+}
+
+}  // namespace alignability::cli

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <vector>
+
+#include "alignability/build_map.hpp"
+#include "cli/log_options.hpp"
+#include "lidar/sdf_world.hpp"
+
+namespace alignability::cli {
+
+/// What `map` is asked for: a map from a scene, from a log, or of two maps in one.
+struct MapCommandOptions {
+  std::filesystem::path scene;
+  WorldOptions reading;
+  LogOptions log;
+  std::vector<std::filesystem::path> merge;  ///< none or two
+  std::optional<std::filesystem::path> occupancy;
+  std::optional<std::filesystem::path> sensor;
+  MapOptions map;
+  std::vector<int> cells;
+  std::vector<double> polygon;
+  std::optional<std::filesystem::path> update;
+  bool json = false;
+  std::filesystem::path output;
+};
+
+// Each makes the map, stores it under the name of the output, tells of it, and returns the exit code.
+int map_from_scene(const MapCommandOptions& options);
+int map_from_log(const MapCommandOptions& options);
+int map_from_two(const MapCommandOptions& options);
+
+}  // namespace alignability::cli
