@@ -31,9 +31,9 @@ struct ScoredPlace {
 /// InputError for a scan that cannot be read, Interrupted, std::invalid_argument for options out of range.
 std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options);
 
-/// The cells of that size, their corners on whole cells counted from the origin of `map`, that hold all places, and a rim of
-/// one cell around. Throws std::invalid_argument for a resolution that is not greater than 0, no places, and where there would be more than
-/// 2^26 cells.
+/// The cells of that size, their corners on whole cells counted from the origin of `map`, that hold all places, and a rim of one cell
+/// around. Throws std::invalid_argument for a resolution that is not greater than 0, no places, and where there would be more than 2^26
+/// cells.
 GridGeometry geometry_around(std::span<const ScoredPlace> places, double resolution);
 
 /// The alignability map of places that were scanned: α of a cell is the median over the scans taken in it (Castellano-Quero et al., Eq. 2),

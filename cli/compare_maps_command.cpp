@@ -57,12 +57,15 @@ int run(const Options& options) {
     print_comparison(comparison, options.comparison, options.worst, options.first.filename().string(), options.second.filename().string());
   }
   if (!comparison.is_tested) {
-    std::cerr << "warning: neither map has cells with four samples or more, so nothing tells how far its values may be off: it was not "
-                 "tested whether the second reads lower\n";
+    std::cerr << "warning: neither map has cells with four samples or more, so nothing tells how far a value may be off: cells were not "
+                 "tested one by one\n";
   }
-  if (comparison.lower == 0) return kYes;
-  std::cerr << "warning: " << options.second.string() << " reads lower in " << comparison.lower << " of " << comparison.cells.size()
-            << " cells, by more than chance explains: the site has changed, or scans are taken otherwise\n";
+  if (comparison.lower == 0 && !comparison.is_lower_as_whole) return kYes;
+  std::cerr << "warning: " << options.second.string() << " reads lower "
+            << (comparison.lower > 0
+                    ? "in " + std::to_string(comparison.lower) + " of " + std::to_string(comparison.cells.size()) + " cells"
+                    : "as a whole")
+            << ", by more than chance explains: the site has changed, or scans are taken otherwise\n";
   return kNo;
 }
 

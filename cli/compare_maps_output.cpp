@@ -53,6 +53,7 @@ Json comparison_json(const MapComparison& comparison, const MapComparisonOptions
             {"margin", options.margin},
             {"tested", comparison.is_tested},
             {"lower", comparison.lower},
+            {"lower_as_whole", {{"value", comparison.is_lower_as_whole}, {"chance", comparison.chance}}},
             {"lower_cells", Json::array()},
             {"worst", Json::array()}};
   for (const ComparedCell& cell : comparison.cells) {
@@ -75,7 +76,8 @@ void print_comparison(const MapComparison& comparison, const MapComparisonOption
             << "rank correlation: " << fixed_text(comparison.rank_correlation, 3) << '\n';
   print_crossings("alpha critical, ", options.alpha_critical, comparison.critical);
   print_crossings("alpha safe, ", options.alpha_safe, comparison.safe);
-  std::cout << "lower than chance explains: " << (comparison.is_tested ? std::to_string(comparison.lower) + " cells\n" : "not tested\n");
+  std::cout << "lower than chance explains: " << (comparison.is_tested ? std::to_string(comparison.lower) + " cells\n" : "not tested\n")
+            << "lower as a whole: " << (comparison.is_lower_as_whole ? "yes\n" : "no\n");
   if (worst == 0) return;
   std::cout.flush();
   std::printf("%9s %9s %9s %9s %9s\n", "x", "y", "first", "second", "change");

@@ -125,6 +125,21 @@ bool set_chances(std::vector<ComparedCell>& cells, const AlignabilityMap& first,
   return true;
 }
 
+// Of at least so many heads in n throws of a coin.
+double chance_of_heads(std::size_t least, std::size_t n) {
+  const auto log_factorial = [](std::size_t k) { return std::lgamma(static_cast<double>(k) + 1.0); };
+  double chance = 0.0;
+  for (std::size_t k = least; k <= n; ++k) {
+    chance += std::exp(log_factorial(n) - log_factorial(k) - log_factorial(n - k) - static_cast<double>(n) * std::numbers::ln2);
+  }
+  return std::min(1.0, chance);
+}
+
+double chance_of_falls(const std::vector<ComparedCell>& cells, double margin) {
+  const auto falls = std::ranges::count_if(cells, [margin](const ComparedCell& cell) { return cell.difference() < -margin; });
+  return chance_of_heads(static_cast<std::size_t>(falls), cells.size());
+}
+
 Crossings crossings(const std::vector<ComparedCell>& cells, double threshold) {
   Crossings result;
   for (const ComparedCell& cell : cells) {
@@ -157,6 +172,8 @@ MapComparison compare_maps(const AlignabilityMap& first, const AlignabilityMap& 
   if (result.cells.empty()) throw std::invalid_argument("have no cell in common that has a value in both");
   result.is_tested = set_chances(result.cells, first, second, *offset, options.margin);
   if (result.is_tested) result.lower = mark_lower(result.cells, options.significance);
+  result.chance = chance_of_falls(result.cells, options.margin);
+  result.is_lower_as_whole = result.chance <= options.significance;
   result.critical = crossings(result.cells, options.alpha_critical);
   result.safe = crossings(result.cells, options.alpha_safe);
   std::ranges::stable_sort(result.cells, {}, &ComparedCell::difference);

@@ -13,7 +13,7 @@ struct MapComparisonOptions {
   double alpha_critical = 0.1;
   double alpha_safe = 0.4;
   double margin = 0.05;        ///< so much lower α may be before it is a change; >= 0
-  double significance = 0.05;  ///< chance of calling any cell lower where none is, in (0, 1)
+  double significance = 0.05;  ///< chance of calling any cell lower where none is, and of calling the whole so, in (0, 1)
 };
 
 /// A cell that has a value in both maps.
@@ -43,16 +43,19 @@ struct MapComparison {
   double rank_correlation = 0.0;    ///< Spearman's; NaN where there is none
   Crossings critical;
   Crossings safe;
-  std::size_t lower = 0;   ///< cells in which the second map reads lower than the margin and the spread of both allow
-  bool is_tested = false;  ///< whether the spread of either map is known, and so whether there is an answer
+  bool is_tested = false;          ///< cell by cell: whether the spread of either map is known
+  std::size_t lower = 0;           ///< cells in which the second map reads lower than the margin and the spread of both allow
+  double chance = 1.0;             ///< of so many cells falling by more than the margin, were each as likely to as not
+  bool is_lower_as_whole = false;  ///< whether more cells fell by more than the margin than chance explains
 };
 
 /// Two alignability maps of one site, cell by cell. A cell is lower where α_first − α_second − margin is more than chance explains, α being
 /// normally distributed with the medians' variances (π/2)·σ²/n, σ = iqr/1.349: the largest iqr of the cell and the eight around, and at
 /// least the median iqr of the map's cells with four samples or more, of the other map's where it has none. Scans of a log follow one
-/// another, so a cell of a logged map counts as one sample. Chances are held to the significance over all cells together (Holm 1979).
-/// Throws std::invalid_argument that completes "the maps …" where their cells do not coincide or none has a value in both, and for options
-/// out of range.
+/// another, so a cell of a logged map counts as one sample. Chances are held to the significance over all cells together (Holm 1979). The
+/// whole is lower where more than half of the cells fell by more than the margin, by a sign test, which needs no spread. Throws
+/// std::invalid_argument that completes "the maps …" where their cells do not coincide or none has a value in both, and for options out
+/// of range.
 MapComparison compare_maps(const AlignabilityMap& first, const AlignabilityMap& second, const MapComparisonOptions& options);
 
 /// second − first on the first map's grid, NaN where one has no value.

@@ -79,7 +79,7 @@ TEST_F(LogCli, MapsALogAndMergesItWithASimulatedMap) {
   EXPECT_TRUE(exists("logged.yaml") && exists("logged.tiff") && exists("logged.png") && exists("logged.csv"));
   EXPECT_THAT(bytes("logged.yaml"),
               HasSubstr("log: scans\n  trajectory: poses.txt\n  poses_of: base_link\n  paired_by: stamp\n  scans: 4"));
-  EXPECT_THAT(bytes("logged.csv"), HasSubstr("\n101.pcd,101.000000,1.7400"));
+  EXPECT_THAT(bytes("logged.csv"), HasSubstr("\n101.pcd,101.000000,1.7450,1.2500,0.0000,"));
 
   outcome = run({"compare-maps", "simulated.yaml", "logged.yaml", "--occupancy", "occupancy.yaml", "--json", "-o", "change"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;

@@ -113,6 +113,19 @@ TEST(MapComparison, TakesTheSpreadOfTheOtherMapWhereOneHasTooFewSamples) {
   EXPECT_EQ(result.lower, 1u);
 }
 
+TEST(MapComparison, FindsTheWholeLowerWhereNoCellIsForItself) {
+  const std::vector<float> even(16, 0.5f), lower(16, 0.42f);
+  const AlignabilityMap first = map_with(square(4), even, 1.0f, 0.0f);
+  const MapComparison result = compare_maps(first, map_with(square(4), lower, 1.0f, 0.0f), {});
+  EXPECT_FALSE(result.is_tested);
+  EXPECT_TRUE(result.is_lower_as_whole);
+  EXPECT_NEAR(result.chance, std::pow(0.5, 16), 1e-9);
+  EXPECT_FALSE(compare_maps(first, map_with(square(4), lower, 1.0f, 0.0f), {.margin = 0.1}).is_lower_as_whole);
+  std::vector<float> half = even;
+  std::fill(half.begin(), half.begin() + 8, 0.3f);
+  EXPECT_FALSE(compare_maps(first, map_with(square(4), half, 1.0f, 0.0f), {}).is_lower_as_whole);
+}
+
 // 400 cells, each the median of ten draws: of 200 pairs of maps of the same site, few may have any cell called lower.
 TEST(MapComparison, SeldomCallsACellLowerWhereNoneIs) {
   std::mt19937_64 engine(7);
@@ -128,12 +141,15 @@ TEST(MapComparison, SeldomCallsACellLowerWhereNoneIs) {
     }
     return map;
   };
-  int alarms = 0;
+  int alarms = 0, alarms_as_whole = 0;
   for (int pair = 0; pair < 200; ++pair) {
     const AlignabilityMap first = draw_map(), second = draw_map();
-    alarms += compare_maps(first, second, {.margin = 0.0}).lower > 0 ? 1 : 0;
+    const MapComparison result = compare_maps(first, second, {.margin = 0.0});
+    alarms += result.lower > 0 ? 1 : 0;
+    alarms_as_whole += result.is_lower_as_whole ? 1 : 0;
   }
   EXPECT_LE(alarms, 20);
+  EXPECT_LE(alarms_as_whole, 20);
 }
 
 TEST(MapComparison, SaysHowMapsWereMadeDifferently) {
