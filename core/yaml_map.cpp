@@ -194,12 +194,16 @@ void YamlMap::finish() const {
   }
 }
 
-void YamlMap::fail(std::string_view key, std::string_view message) const {
+YAML::Node YamlMap::value_or_mapping(std::string_view key) const {
   for (const auto& entry : node_) {
-    if (entry.first.Scalar() == key) fail_at(entry.second, message);
+    if (entry.first.Scalar() == key) return entry.second;
   }
-  fail_at(node_, message);
+  return node_;
 }
+
+void YamlMap::fail(std::string_view key, std::string_view message) const { fail_at(value_or_mapping(key), message); }
+
+TextPosition YamlMap::position(std::string_view key) const { return position_of(value_or_mapping(key).Mark()); }
 
 std::vector<std::string> YamlMap::keys() const {
   std::vector<std::string> keys;

@@ -57,6 +57,8 @@ class YamlMap {
   std::optional<T> find_choice(std::string_view key, const std::pair<const char*, T> (&choices)[N]);
 
   bool has(std::string_view key) const;
+  /// Of the value of a key, or of the mapping where the key is absent.
+  TextPosition position(std::string_view key) const;
   /// In the order of the file.
   std::vector<std::string> keys() const;
   bool is_sequence(std::string_view key) const;
@@ -71,6 +73,7 @@ class YamlMap {
 
   std::optional<YAML::Node> find(std::string_view key);
   std::optional<YAML::Node> find_scalar(std::string_view key, std::string_view kind);
+  YAML::Node value_or_mapping(std::string_view key) const;
   [[noreturn]] void fail_missing(std::string_view key) const;
   [[noreturn]] void fail_at(const YAML::Node& node, std::string_view message) const;
   double to_number(const YAML::Node& node, std::string_view key, const Range& allowed) const;

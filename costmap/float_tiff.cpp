@@ -133,6 +133,19 @@ std::vector<Grid<float>> read_float_tiff(const std::filesystem::path& file, cons
   return pages;
 }
 
+GridGeometry pixels_of_tiff(const std::filesystem::path& file) {
+  constexpr std::uint32_t kLargestSide = 1u << 20;
+  const Tiff tiff(file, "r", file);
+  std::uint32_t width = 0;
+  std::uint32_t height = 0;
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGEWIDTH, &width);
+  TIFFGetField(tiff.get(), TIFFTAG_IMAGELENGTH, &height);
+  if (width == 0 || height == 0 || width > kLargestSide || height > kLargestSide) {
+    tiff.fail("must have from 1 to " + std::to_string(kLargestSide) + " pixels along a side");
+  }
+  return {.width = static_cast<int>(width), .height = static_cast<int>(height)};
+}
+
 void write_float_tiff(const std::filesystem::path& file, std::span<const AlignabilityMap::Layer> layers) {
   AtomicFile output(file);
   {

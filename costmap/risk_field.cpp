@@ -1,20 +1,16 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "costmap/risk_field.hpp"
 
+#include "core/range.hpp"
+
 namespace alignability {
 namespace {
 
 constexpr double kRounding = 1e-12;  // of α along a segment, whose ends are exact
 
-double risk_of(double alpha, const RiskOptions& options) {
-  if (std::isnan(alpha)) return options.unknown == UnknownPolicy::neutral ? 0.0 : 1.0;
-  return std::clamp((options.alpha_safe - alpha) / (options.alpha_safe - options.alpha_critical), 0.0, 1.0);
-}
-
-BilinearField risk_nodes(const Grid<double>& alpha, const RiskOptions& options) {
-  Grid<double> risk(alpha.geometry(), 0.0);
-  for (std::size_t i = 0; i < alpha.values().size(); ++i) risk[i] = risk_of(alpha[i], options);
-  return BilinearField(std::move(risk));
+BilinearField risk_nodes(Grid<double> values, double risky, double safe, UnknownPolicy unknown) {
+  for (std::size_t i = 0; i < values.values().size(); ++i) values[i] = risk_of(values[i], risky, safe, unknown);
+  return BilinearField(std::move(values));
 }
 
 const RiskOptions& checked(const RiskOptions& options) {
@@ -24,15 +20,37 @@ const RiskOptions& checked(const RiskOptions& options) {
   if (options.min_alpha && !(*options.min_alpha >= 0.0 && *options.min_alpha <= 1.0)) {
     throw std::invalid_argument("min_alpha must be in [0, 1]");
   }
+  if (!kNotNegative.contains(options.alpha_weight)) throw std::invalid_argument("alpha_weight must be at least 0");
   return options;
 }
 
 }  // namespace
 
-RiskField::RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options)
-    : options_(checked(options)), alpha_(fill_border(map.alpha(), occupancy)), risk_(risk_nodes(alpha_.nodes(), options)) {}
+std::vector<std::string> names_of_risks(const RiskOptions& options) {
+  std::vector<std::string> names{kAlignability};
+  for (const RiskSource& source : options.sources) names.push_back(source.name);
+  return names;
+}
 
-double RiskField::risk(double x, double y, double /*yaw*/) const { return risk_.at({x, y}); }
+RiskField::RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options)
+    : options_(checked(options)), alpha_(fill_border(map.alpha(), occupancy)) {
+  layers_.push_back(
+      {kAlignability, options.alpha_weight, risk_nodes(alpha_.nodes(), options.alpha_critical, options.alpha_safe, options.unknown)});
+  for (const RiskSource& source : options.sources) {
+    if (const auto fault = fault_of_source(source, occupancy.geometry())) throw std::invalid_argument(source.name + ": " + *fault);
+    if (std::ranges::count(options.sources, source.name, &RiskSource::name) > 1) {
+      throw std::invalid_argument("there are two sources of risk named '" + source.name + "'");
+    }
+    layers_.push_back(
+        {source.name, source.weight, risk_nodes(fill_border(*source.values, occupancy), source.risky, source.safe, source.unknown)});
+  }
+  const auto counts = [](const RiskLayer& layer) { return layer.weight != 0.0; };
+  is_alpha_alone_ = options.alpha_weight == 1.0 && std::ranges::count_if(layers_, counts) == 1;
+}
+
+double RiskField::risk(double x, double y, double /*yaw*/) const {
+  return sum([&](const BilinearField& risk) { return risk.at({x, y}); });
+}
 
 double RiskField::alpha(double x, double y, double /*yaw*/) const { return alpha_.at({x, y}); }
 

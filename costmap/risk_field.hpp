@@ -2,34 +2,43 @@
 #pragma once
 
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "core/pose.hpp"
 #include "costmap/alignability_map.hpp"
 #include "costmap/bilinear_field.hpp"
 #include "costmap/occupancy_map.hpp"
+#include "costmap/risk_source.hpp"
 
 namespace alignability {
-
-/// What a place is worth whose alignability nobody knows.
-enum class UnknownPolicy {
-  risky,    ///< risk 1, and blind
-  neutral,  ///< risk 0, and not blind
-  blocked,  ///< not drivable; risk 1 where asked all the same
-};
 
 struct RiskOptions {
   double alpha_critical = 0.1;  ///< risk 1 at or below; in [0, alpha_safe)
   double alpha_safe = 0.4;      ///< risk 0 at or above; in (alpha_critical, 1]
   UnknownPolicy unknown = UnknownPolicy::risky;
   std::optional<double> min_alpha = {};  ///< a floor in [0, 1]: where α is less, or has no value, the robot may not be
+  double alpha_weight = 1.0;             ///< what α's own risk counts in the sum of risks, >= 0
+  std::vector<RiskSource> sources = {};  ///< what else is risky
 };
 
-/// The risk of losing localization, by place, in [0,1], and α itself: both bilinear between the centres of α-cells. A cell without
-/// a value that borders evaluated ones takes, for interpolation, the mean of those that it reaches through free cells (see fill_border).
-/// Immutable, safe to read from many threads, queries allocate nothing.
+/// `alignability`, then the sources' names.
+std::vector<std::string> names_of_risks(const RiskOptions& options);
+
+/// One of the risks that add up: in [0,1], bilinear between the nodes of a grid of its own.
+struct RiskLayer {
+  std::string name;
+  double weight = 1.0;
+  BilinearField risk;
+};
+
+/// What is risky by place, and α itself. The risk of losing localization is in [0,1] and, like α, bilinear between the centres of α-cells;
+/// with further sources it is a sum, Σ weight·risk, which may exceed 1. Each term is bilinear on a grid of its own, so that no sum
+/// is ever resampled. A cell without a value that borders evaluated ones takes, for interpolation, the mean of those that it reaches
+/// through free cells (see fill_border). Immutable, safe to read from many threads, queries allocate nothing.
 class RiskField {
  public:
-  /// Throws std::invalid_argument for thresholds out of range.
+  /// Throws std::invalid_argument for thresholds and weights out of range, and for sources with a fault (see fault_of_source).
   RiskField(const AlignabilityMap& map, const OccupancyMap& occupancy, const RiskOptions& options);
 
   const RiskOptions& options() const { return options_; }
@@ -39,9 +48,13 @@ class RiskField {
   /// A field of one layer takes no notice of yaw.
   double risk(double x, double y, double yaw) const;
   /// ∫ risk ds [m] along the straight segment between two poses; exact, the same to the bit in either direction.
-  double integral(const Pose2& from, const Pose2& to) const { return risk_.integral(from.position(), to.position()); }
+  double integral(const Pose2& from, const Pose2& to) const {
+    return sum([&](const BilinearField& risk) { return risk.integral(from.position(), to.position()); });
+  }
   /// The same along an arc, to 1e-9 of its length.
-  double integral(const Arc& arc) const { return risk_.integral(arc); }
+  double integral(const Arc& arc) const {
+    return sum([&](const BilinearField& risk) { return risk.integral(arc); });
+  }
   /// NaN where a cell without a value has a part in it.
   double alpha(double x, double y, double yaw) const;
   /// Whether α is below alpha_critical, or unknown under a policy that takes the unknown for risky.
@@ -51,15 +64,27 @@ class RiskField {
   bool is_drivable(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   bool is_drivable(const Arc& arc) const;
 
-  const BilinearField& risk_layer() const { return risk_; }
+  /// What the risk is the sum of, α's first. What weighs nothing is among them.
+  const std::vector<RiskLayer>& layers() const { return layers_; }
   const BilinearField& alpha_layer() const { return alpha_; }
 
  private:
   bool has_value(Cell cell) const;
 
+  template <typename Value>
+  double sum(Value value_of) const {
+    if (is_alpha_alone_) return value_of(layers_.front().risk);
+    double sum = 0.0;
+    for (const RiskLayer& layer : layers_) {
+      if (layer.weight != 0.0) sum += layer.weight * value_of(layer.risk);
+    }
+    return sum;
+  }
+
   RiskOptions options_;
   BilinearField alpha_;
-  BilinearField risk_;
+  std::vector<RiskLayer> layers_;
+  bool is_alpha_alone_ = true;  // nothing else weighs anything, and α weighs 1
 };
 
 /// α with the cells filled that have none but border cells that have: the mean over those of the eight neighbours which free cells

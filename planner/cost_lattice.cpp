@@ -2,6 +2,7 @@
 #include "planner/cost_lattice.hpp"
 
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <limits>
 #include <numbers>
 
@@ -12,23 +13,30 @@ namespace {
 
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
-// Shares in (0,1) of each cell along an axis at which lines run through the α-cells' centres, where the bilinear field has its kinks.
-std::vector<std::vector<double>> kinks_in_cells(const GridGeometry& lattice, const GridGeometry& alpha, int axis) {
+// Shares in (0,1) of each cell along an axis at which lines run through the nodes of some risk, where that has its kinks.
+std::vector<std::vector<double>> kinks_in_cells(const GridGeometry& lattice, const RiskField& risk, int axis) {
   constexpr double kOnTheLine = 1e-9;
   std::vector<std::vector<double>> kinks(static_cast<std::size_t>(axis == 0 ? lattice.width : lattice.height));
-  for (int node = 0; node < (axis == 0 ? alpha.width : alpha.height); ++node) {
-    const double at = (alpha.center({node, node})[axis] - lattice.origin[axis]) / lattice.resolution;
-    const double cell = std::floor(at);
-    if (cell < 0.0 || cell >= static_cast<double>(kinks.size()) || at - cell < kOnTheLine || cell + 1.0 - at < kOnTheLine) continue;
-    kinks[static_cast<std::size_t>(cell)].push_back(at - cell);
+  for (const RiskLayer& layer : risk.layers()) {
+    if (layer.weight == 0.0) continue;
+    const GridGeometry& nodes = layer.risk.nodes().geometry();
+    for (int node = 0; node < (axis == 0 ? nodes.width : nodes.height); ++node) {
+      const double at = (nodes.center({node, node})[axis] - lattice.origin[axis]) / lattice.resolution;
+      const double cell = std::floor(at);
+      if (cell < 0.0 || cell >= static_cast<double>(kinks.size()) || at - cell < kOnTheLine || cell + 1.0 - at < kOnTheLine) continue;
+      kinks[static_cast<std::size_t>(cell)].push_back(at - cell);
+    }
   }
   for (auto& shares : kinks) {
-    if (!shares.empty()) shares.insert(shares.end(), {0.0, 1.0});
+    if (shares.empty()) continue;
+    shares.insert(shares.end(), {0.0, 1.0});
+    std::ranges::sort(shares);
+    shares.erase(std::unique(shares.begin(), shares.end()), shares.end());
   }
   return kinks;
 }
 
-// Both are bilinear between the kinks, so that one is above the other where it is at their crossings.
+// Both are bilinear between the kinks of all risks, so that one is above the other where it is at their crossings.
 double least_share(const RiskField& risk, double weight, const Eigen::AlignedBox2d& cell, std::span<const double> columns,
                    std::span<const double> rows) {
   constexpr double kBothSides[] = {0.0, 1.0};
@@ -38,11 +46,11 @@ double least_share(const RiskField& risk, double weight, const Eigen::AlignedBox
     const Eigen::Vector2d at = cell.min() + Eigen::Vector2d(x, y).cwiseProduct(cell.sizes());
     return 1.0 + weight * risk.risk(at.x(), at.y(), 0.0);
   };
+  const double low_left = cost(0.0, 0.0), low_right = cost(1.0, 0.0), high_left = cost(0.0, 1.0), high_right = cost(1.0, 1.0);
   double share = 1.0;
   for (const double y : rows) {
     for (const double x : columns) {
-      const double bilinear =
-          (1.0 - y) * ((1.0 - x) * cost(0.0, 0.0) + x * cost(1.0, 0.0)) + y * ((1.0 - x) * cost(0.0, 1.0) + x * cost(1.0, 1.0));
+      const double bilinear = (1.0 - y) * ((1.0 - x) * low_left + x * low_right) + y * ((1.0 - x) * high_left + x * high_right);
       share = std::min(share, cost(x, y) / bilinear);
     }
   }
@@ -74,9 +82,8 @@ CostLattice::CostLattice(const RiskField& risk, const ClearanceMap& clearance, d
     : geometry(ringed(clearance.geometry())), cost(geometry.size(), kNowhere), share(geometry.size(), 0.0f) {
   const GridGeometry& map = clearance.geometry();
   const double reach = map.resolution / std::numbers::sqrt2 + 1e-6 * map.resolution;
-  const GridGeometry& alpha = risk.risk_layer().nodes().geometry();
-  const auto columns = kinks_in_cells(geometry, alpha, 0);
-  const auto rows = kinks_in_cells(geometry, alpha, 1);
+  const auto columns = kinks_in_cells(geometry, risk, 0);
+  const auto rows = kinks_in_cells(geometry, risk, 1);
   for (int y = 1; y <= map.height; ++y) {
     for (int x = 1; x <= map.width; ++x) {
       const Cell in_map{x - 1, y - 1};

@@ -84,6 +84,7 @@ WayEvaluation sum(const std::vector<EdgeEvaluation>& edges) {
   total.obstruction = edges.front().way.obstruction;
   PathFigures& figures = total.figures;
   figures.alpha_min = std::numeric_limits<double>::quiet_NaN();
+  figures.risk_by_source.resize(edges.front().way.figures.risk_by_source.size(), 0.0);
   double alpha_integral = 0.0;
   for (const EdgeEvaluation& edge : edges) {
     const PathFigures& own = edge.way.figures;
@@ -91,6 +92,7 @@ WayEvaluation sum(const std::vector<EdgeEvaluation>& edges) {
     figures.length += own.length;
     figures.turned += own.turned;
     figures.risk_integral += own.risk_integral;
+    for (std::size_t i = 0; i < own.risk_by_source.size(); ++i) figures.risk_by_source[i] += own.risk_by_source[i];
     figures.blind_length += own.blind_length;
     figures.longest_blind = std::max(figures.longest_blind, own.longest_blind);
     figures.evaluated_length += own.evaluated_length;

@@ -11,13 +11,13 @@ namespace {
 
 class FigureSum {
  public:
-  explicit FigureSum(const RiskField& risk) : risk_(risk) {}
+  explicit FigureSum(const RiskField& risk) : risk_(risk) { figures_.risk_by_source.resize(risk.layers().size(), 0.0); }
 
   void add_segment(const Pose2& from, const Pose2& to) {
     const double length = (to.position() - from.position()).norm();
     figures_.length += length;
     figures_.turned += std::abs(normalized_angle(to.yaw - from.yaw));
-    figures_.risk_integral += risk_.integral(from, to);
+    add_risk([&](const BilinearField& risk) { return risk.integral(from.position(), to.position()); });
     risk_.alpha_layer().visit(from.position(), to.position(),
                               [&](double share, const Quadratic& alpha) { add_piece(share * length, alpha); });
   }
@@ -26,18 +26,26 @@ class FigureSum {
     figures_.length += arc.length();
     figures_.turned += std::abs(arc.turn());
     if (arc.travel < 0.0) figures_.backward_length += arc.length();
-    figures_.risk_integral += risk_.integral(arc);
+    add_risk([&](const BilinearField& risk) { return risk.integral(arc); });
     risk_.alpha_layer().visit(arc, [&](const BilinearAlongArc& alpha) { add_piece(alpha); });
   }
 
   PathFigures result() const {
     PathFigures figures = figures_;
+    for (std::size_t i = 0; i < risk_.layers().size(); ++i) {
+      figures.risk_integral += risk_.layers()[i].weight * figures.risk_by_source[i];
+    }
     figures.alpha_mean = figures.evaluated_length > 0.0 ? alpha_integral_ / figures.evaluated_length : alpha_min_;
     figures.alpha_min = alpha_min_;
     return figures;
   }
 
  private:
+  template <typename Integral>
+  void add_risk(Integral integral) {
+    for (std::size_t i = 0; i < risk_.layers().size(); ++i) figures_.risk_by_source[i] += integral(risk_.layers()[i].risk);
+  }
+
   void add_piece(double length, const Quadratic& alpha) {
     if (!alpha.is_number()) {
       add_stretch(length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));

@@ -14,12 +14,14 @@ struct PathFigures {
   double length = 0.0;
   double turned = 0.0;            ///< ∫ |dyaw| [rad]
   double backward_length = 0.0;   ///< of curves: driven backward
-  double risk_integral = 0.0;     ///< ∫ risk ds
+  double risk_integral = 0.0;     ///< ∫ risk ds, of all sources, each as often as it weighs
   double blind_length = 0.0;      ///< where RiskField::is_blind
   double longest_blind = 0.0;     ///< the longest stretch without a break
   double evaluated_length = 0.0;  ///< where α has a value
   double alpha_mean = 0.0;        ///< by length, over evaluated places; NaN when there are none
   double alpha_min = 0.0;         ///< over evaluated places; NaN when there are none
+  /// ∫ risk ds of each of RiskField::layers(), unweighted: the metres at its risk.
+  std::vector<double> risk_by_source = {};
 };
 
 /// O(α-cells crossed).

@@ -8,6 +8,7 @@
 #include "costmap/map_server.hpp"
 #include "costmap/scenario_map.hpp"
 #include "planner/planners.hpp"
+#include "planner/risk_sources_file.hpp"
 
 namespace alignability {
 namespace {
@@ -71,7 +72,8 @@ GoalTolerance read_goal_tolerance(YamlMap yaml) {
   return tolerance;
 }
 
-void read_risk(YamlMap yaml, PlanQuery& query) {
+void read_risk(YamlMap yaml, ProblemFile& file) {
+  PlanQuery& query = file.query;
   query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
   query.max_error = yaml.find_number("max_error", kPositive);
   query.max_blind_distance = yaml.find_number("max_blind_distance", kNotNegative);
@@ -80,6 +82,12 @@ void read_risk(YamlMap yaml, PlanQuery& query) {
   query.risk.alpha_critical = yaml.find_number("alpha_critical", kShare).value_or(query.risk.alpha_critical);
   query.risk.alpha_safe = yaml.find_number("alpha_safe", kShare).value_or(query.risk.alpha_safe);
   query.risk.unknown = yaml.find_choice("unknown", kPolicies).value_or(query.risk.unknown);
+  if (const auto sources = yaml.find_map("sources")) {
+    detail::RiskSources read = detail::read_risk_sources(*sources);
+    query.risk.alpha_weight = read.alpha_weight;
+    query.risk.sources = std::move(read.sources);
+    file.raster_places = std::move(read.raster_places);
+  }
   yaml.finish();
   if (query.risk.alpha_critical >= query.risk.alpha_safe) yaml.fail("alpha_critical", "'alpha_critical' must be less than 'alpha_safe'");
 }
@@ -153,6 +161,7 @@ AlignabilityMap read_scenarios(const ProblemFile& file) {
 ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   YamlMap yaml = YamlMap::from_file(yaml_file);
   ProblemFile file;
+  file.file = yaml_file;
   file.map = yaml.path("map");
   file.alignability = read_alignability_paths(yaml);
   if (auto scenarios = yaml.find_map("scenarios")) {
@@ -169,14 +178,18 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file) {
   file.query.start = read_pose(yaml, "start");
   file.query.goal = read_pose(yaml, "goal");
   if (const auto tolerance = yaml.find_map("goal_tolerance")) file.query.goal_tolerance = read_goal_tolerance(*tolerance);
-  if (const auto risk = yaml.find_map("risk")) read_risk(*risk, file.query);
+  if (const auto risk = yaml.find_map("risk")) read_risk(*risk, file);
   if (const auto planner = yaml.find_map("planner")) file.query.planner = read_planner(*planner);
   if (const auto refusal = refusal_of_space(file.query)) yaml.fail("planner", *refusal);
   yaml.finish();
   return file;
 }
 
-PlanProblem load_problem(const ProblemFile& file) { return {read_occupancy_map(file.map), read_scenarios(file), file.query}; }
+PlanProblem load_problem(const ProblemFile& file) {
+  PlanProblem problem{read_occupancy_map(file.map), read_scenarios(file), file.query};
+  problem.query.risk.sources = detail::with_values(file, problem.occupancy);
+  return problem;
+}
 
 const char* to_string(MotionSpace space) { return name_of(space, kSpaces); }
 
@@ -201,7 +214,7 @@ std::string to_yaml(const PlanQuery& query) {
       << ", heading_deg: " << to_text(degrees(query.goal_tolerance.heading)) << "}\n"
       << "risk: {weight: " << to_text(query.weight) << ", alpha_critical: " << to_text(query.risk.alpha_critical)
       << ", alpha_safe: " << to_text(query.risk.alpha_safe) << ", unknown: " << name_of(query.risk.unknown, kPolicies) << limits_of(query)
-      << "}\n"
+      << detail::sources_text(query.risk) << "}\n"
       << "planner: {name: " << (query.planner.name.empty() ? kDefaultPlanner : query.planner.name);
   if (query.planner.iterations) {
     out << ", iterations: " << *query.planner.iterations;

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "core/input_error.hpp"
 #include "costmap/alignability_map.hpp"
 #include "costmap/occupancy_map.hpp"
 #include "costmap/risk_field.hpp"
@@ -53,7 +54,7 @@ struct PlanQuery {
   Pose2 start;
   Pose2 goal;
   GoalTolerance goal_tolerance;
-  double weight = 5.0;  ///< of the risk, >= 0
+  double weight = 5.0;  ///< of the risk, of all its sources together, >= 0
   /// The 95th percentile of the localization error that may be predicted anywhere on the path [m], > 0; comparisons pay no heed to it.
   std::optional<double> max_error = {};
   /// How many blind metres there may be between one place where the robot finds itself and the next (see BlindLimit) [m], >= 0; likewise.
@@ -78,7 +79,9 @@ struct ProblemFile {
   std::optional<std::filesystem::path> sensor;
   std::optional<double> range_max;
   std::optional<std::filesystem::path> drive;
-  PlanQuery query;
+  PlanQuery query;                          ///< the sources of its risk without their values
+  std::filesystem::path file;               ///< that all this is from
+  std::vector<TextPosition> raster_places;  ///< where it names the raster of each of these sources
 };
 
 /// Throws InputError.

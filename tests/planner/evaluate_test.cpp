@@ -51,6 +51,31 @@ void expect_equal(const WayEvaluation& way, double cost, const PathFigures& figu
   EXPECT_NEAR(way.figures.alpha_min, figures.alpha_min, 1e-9);
 }
 
+TEST(Evaluate, SumsTheRiskOfEachSourceOverEdges) {
+  PlanProblem problem = half_poor();
+  // 1 from x = 8 on, 0 up to x = 7.
+  Grid<float> traffic({.resolution = 1.0, .origin = {-0.5, -1.0}, .width = 11, .height = 8}, 0.0f);
+  for (int y = 0; y < 8; ++y) {
+    for (int x = 8; x < 11; ++x) traffic[Cell{x, y}] = 1.0f;
+  }
+  problem.query.risk.sources = {{.name = "traffic", .weight = 2.0, .values = std::make_shared<const Grid<float>>(traffic)}};
+  Route graph;
+  graph.graph.nodes = {{"a", {}}, {"b", {}}};
+  graph.graph.edges = {{"one", 0, 1, {{1.0, 3.0, 0.0}, {9.0, 3.0, 0.0}}}, {"two", 1, 0, {{9.0, 2.0, 0.0}, {7.5, 2.0, 0.0}}}};
+  const Evaluation evaluation = evaluate(graph, problem.query, PlanningFields(problem));
+  ASSERT_EQ(evaluation.edges.size(), 2u);
+  const std::vector<double>& one = evaluation.edges[0].way.figures.risk_by_source;
+  const std::vector<double>& two = evaluation.edges[1].way.figures.risk_by_source;
+  EXPECT_EQ(evaluation.edges[0].edge.id, "one");
+  EXPECT_NEAR(one[0], 4.0, 1e-9);
+  EXPECT_NEAR(one[1], 1.5, 1e-9);
+  EXPECT_NEAR(two[0], 0.0, 1e-9);
+  EXPECT_NEAR(two[1], 1.0 + 0.375, 1e-9);
+  EXPECT_NEAR(evaluation.total.figures.risk_by_source[1], 1.5 + 1.375, 1e-9);
+  EXPECT_NEAR(evaluation.total.figures.risk_integral, 4.0 + 2.0 * 2.875, 1e-9);
+  EXPECT_NEAR(evaluation.total.cost, 9.5 + 3.0 * (4.0 + 2.0 * 2.875), 1e-9);
+}
+
 TEST(Evaluate, GivesTheFiguresThatPencilAndPaperDo) {
   // From x = 4.5 to 5.5 risk falls from 1 to 0 and α rises from 0 to 0.5: it is 0.1 at 4.7.
   const PathFigures figures{.length = 10.0,

@@ -21,7 +21,7 @@ namespace ob = ompl::base;
 
 constexpr double kSide = 12.0;
 
-std::shared_ptr<const RiskField> random_field(std::uint64_t seed, double resolution) {
+std::shared_ptr<const RiskField> random_field(std::uint64_t seed, double resolution, const RiskOptions& options = {}) {
   std::mt19937_64 engine(seed);
   std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
   const int cells = static_cast<int>(kSide / resolution);
@@ -31,7 +31,17 @@ std::shared_ptr<const RiskField> random_field(std::uint64_t seed, double resolut
   AlignabilityMap map;
   map.geometry = alpha.geometry();
   map.layers.push_back({"alpha", std::move(alpha)});
-  return std::make_shared<const RiskField>(map, occupancy, RiskOptions{});
+  return std::make_shared<const RiskField>(map, occupancy, options);
+}
+
+// With a raster on another grid that counts more than α.
+std::shared_ptr<const RiskField> random_field_of_two_risks(std::uint64_t seed) {
+  std::mt19937_64 engine(seed);
+  std::uniform_real_distribution<float> uniform(0.0f, 1.0f);
+  Grid<float> traffic({.resolution = 0.43, .origin = {-0.2, -0.3}, .width = 29, .height = 29}, 0.0f);
+  for (std::size_t i = 0; i < traffic.values().size(); ++i) traffic[i] = uniform(engine);
+  const RiskSource source{.name = "traffic", .weight = 1.7, .values = std::make_shared<const Grid<float>>(traffic)};
+  return random_field(seed, 1.0, {.alpha_weight = 0.6, .sources = {source}});
 }
 
 template <typename Space>
@@ -49,17 +59,22 @@ ob::SpaceInformationPtr information_of(std::shared_ptr<Space> space) {
 struct Setting {
   std::string name;
   ob::SpaceInformationPtr si;
+  std::shared_ptr<const RiskField> risk;
 };
 
 std::vector<Setting> settings() {
-  return {{"r2", information_of(std::make_shared<ob::RealVectorStateSpace>(2))},
-          {"se2", information_of(std::make_shared<ob::SE2StateSpace>())}};
+  const auto plane = information_of(std::make_shared<ob::RealVectorStateSpace>(2));
+  const auto poses = information_of(std::make_shared<ob::SE2StateSpace>());
+  return {{"r2", plane, random_field(3, 1.0)},
+          {"se2", poses, random_field(3, 1.0)},
+          {"r2_two_risks", plane, random_field_of_two_risks(3)},
+          {"se2_two_risks", poses, random_field_of_two_risks(3)}};
 }
 
 class Objective : public testing::TestWithParam<std::size_t> {
  protected:
   ob::SpaceInformationPtr si = settings()[GetParam()].si;
-  std::shared_ptr<const RiskField> risk = random_field(3, 1.0);
+  std::shared_ptr<const RiskField> risk = settings()[GetParam()].risk;
   AlignabilityObjective objective{si, risk, {.weight = 4.0, .turn_cost = 0.2}};
 
   double cost(const ob::ScopedState<>& a, const ob::ScopedState<>& b) const { return objective.motionCost(a.get(), b.get()).value(); }
@@ -123,7 +138,8 @@ TEST_P(Objective, HasAConsistentHeuristicAndCostToGo) {
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Spaces, Objective, testing::Values(0u, 1u), [](const auto& setting) { return settings()[setting.param].name; });
+INSTANTIATE_TEST_SUITE_P(Spaces, Objective, testing::Range<std::size_t>(0, 4),
+                         [](const auto& setting) { return settings()[setting.param].name; });
 
 TEST(AlignabilityObjective, ChargesAStripFiveCentimetresWideAcrossALongEdge) {
   // α-cells of 2.5 cm; one column of them is risky, which makes a tent 5 cm wide of area 2.5 cm.

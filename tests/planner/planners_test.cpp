@@ -171,6 +171,46 @@ TEST_P(EveryPlanner, FindsTheShortWayWhenItIsNot) {
   expect_drivable_by_a_car(problem, result);
 }
 
+class EveryPlannerOfManyRisks : public EveryPlanner {};
+
+// In every space our own planner, the others in the plane.
+std::vector<Case> cases_of_many_risks() {
+  std::vector<Case> cases = all_cases();
+  std::erase_if(cases, [](const Case& one) { return one.space != MotionSpace::r2 && one.planner != kDefaultPlanner; });
+  return cases;
+}
+
+TEST_P(EveryPlannerOfManyRisks, KeepsOffWhatARasterCallsRisky) {
+  PlanProblem problem = problem_with_weight(5.0);
+  problem.alignability.layers.front().values = Grid<float>(problem.alignability.geometry, 0.8f);
+  Grid<float> traffic({.resolution = 0.6, .origin = {-0.1, -0.1}, .width = 34, .height = 17}, 0.0f);
+  for (int x = 10; x < 20; ++x) {
+    for (int y = 10; y < 17; ++y) traffic[Cell{x, y}] = 30.0f;
+  }
+  problem.query.risk.sources = {
+      {.name = "traffic", .weight = 1.5, .risky = 25.0, .safe = 5.0, .values = std::make_shared<const Grid<float>>(traffic)},
+      {.name = kClearance,
+       .weight = 0.1,
+       .risky = 0.4,
+       .safe = 0.8,
+       .values = std::make_shared<const Grid<float>>(clearance_values(problem.occupancy))}};
+  const PlanResult result = plan(problem, {});
+  ASSERT_EQ(result.status, PlanStatus::solved);
+  const std::vector<double>& risks = result.figures.risk_by_source;
+  ASSERT_EQ(risks.size(), 3u);
+  EXPECT_EQ(risks[0], 0.0);
+  EXPECT_LT(risks[1], 0.5);
+  EXPECT_NEAR(result.figures.risk_integral, 1.5 * risks[1] + 0.1 * risks[2], 1e-9);
+  EXPECT_GT(result.figures.length, 20.0);
+  expect_collision_free(problem, result);
+  expect_the_cost_of_its_path(problem, result);
+  expect_from_start_to_goal(problem, result);
+  problem.query.weight = 0.0;
+  EXPECT_LT(plan(problem, {}).figures.length, 18.0);
+}
+
+INSTANTIATE_TEST_SUITE_P(Planners, EveryPlannerOfManyRisks, testing::ValuesIn(cases_of_many_risks()), name_of);
+
 INSTANTIATE_TEST_SUITE_P(Planners, EveryPlanner, testing::ValuesIn(all_cases()), name_of);
 
 TEST(Planners, RepeatBySeedUnderIterations) {

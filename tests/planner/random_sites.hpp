@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <random>
 
+#include "costmap/clearance_map.hpp"
 #include "planner/plan_problem.hpp"
 
 namespace alignability::test {
@@ -57,6 +59,36 @@ inline PlanProblem random_site(std::uint64_t seed) {
   };
   problem.query.start = place();
   problem.query.goal = place();
+  return problem;
+}
+
+/// The same with risk from clearance and from a raster too, part of it without a value and its cells' centres on no line of another.
+inline PlanProblem random_site_of_many_risks(std::uint64_t seed) {
+  PlanProblem problem = random_site(seed);
+  std::mt19937_64 engine(seed + 1000);
+  const auto share = [&] { return static_cast<double>(engine() >> 11) * 0x1p-53; };
+  const GridGeometry& site = problem.occupancy.geometry();
+  GridGeometry cells{.resolution = 0.25 + 0.5 * share(), .origin = site.origin - Eigen::Vector2d(0.2 * share(), 0.2 * share())};
+  const Eigen::Array2d size = (site.upper_corner() - cells.origin).array() / cells.resolution;
+  cells.width = static_cast<int>(std::ceil(size.x()));
+  cells.height = static_cast<int>(std::ceil(size.y()));
+  Grid<float> traffic(cells, 0.0f);
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    traffic[i] = share() < 0.05 ? std::numeric_limits<float>::quiet_NaN() : static_cast<float>(share());
+  }
+  RiskOptions& risk = problem.query.risk;
+  risk.alpha_weight = share();
+  risk.sources.push_back({.name = "traffic",
+                          .weight = share(),
+                          .risky = 0.9,
+                          .safe = 0.4,
+                          .unknown = UnknownPolicy::neutral,
+                          .values = std::make_shared<const Grid<float>>(std::move(traffic))});
+  risk.sources.push_back({.name = kClearance,
+                          .weight = share(),
+                          .risky = 0.2,
+                          .safe = 0.4 + share(),
+                          .values = std::make_shared<const Grid<float>>(clearance_values(problem.occupancy))});
   return problem;
 }
 

@@ -41,6 +41,30 @@ TEST_F(TradeOff, RiskNeverRisesWithTheWeight) {
   EXPECT_LT(curve.back().figures.blind_length, 0.5);
 }
 
+TEST_F(TradeOff, RiskOfSeveralSourcesNeverRisesWithTheirCommonWeight) {
+  problem.query.planner = {.name = "field"};
+  problem.query.risk.alpha_weight = 0.5;
+  problem.query.risk.sources = {{.name = kClearance,
+                                 .weight = 0.8,
+                                 .risky = 0.4,
+                                 .safe = 1.2,
+                                 .values = std::make_shared<const Grid<float>>(clearance_values(problem.occupancy))}};
+  const std::array weights{0.0, 0.2, 1.0, 5.0};
+  const std::vector<PlanResult> curve = trade_off(problem.query, PlanningFields(problem), weights, {});
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    ASSERT_EQ(curve[i].status, PlanStatus::solved);
+    const PathFigures& figures = curve[i].figures;
+    ASSERT_EQ(figures.risk_by_source.size(), 2u);
+    EXPECT_NEAR(figures.risk_integral, 0.5 * figures.risk_by_source[0] + 0.8 * figures.risk_by_source[1], 1e-9);
+    EXPECT_NEAR(curve[i].cost, figures.length + weights[i] * figures.risk_integral + problem.query.motion.turn_cost * figures.turned, 1e-9);
+    EXPECT_LE(*curve[i].lower_bound, curve[i].cost);
+    if (i == 0) continue;
+    EXPECT_LE(figures.risk_integral, curve[i - 1].figures.risk_integral + 1e-9);
+    EXPECT_GE(figures.length, curve[i - 1].figures.length - 1e-9);
+  }
+  EXPECT_GT(curve.front().figures.risk_integral, curve.back().figures.risk_integral + 1.0);
+}
+
 TEST_F(TradeOff, NoPathOfTheOthersWouldCostLess) {
   const std::array weights{0.0, 1.0, 5.0};
   const std::vector<PlanResult> curve = trade_off(problem.query, PlanningFields(problem), weights, {});
