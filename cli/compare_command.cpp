@@ -43,8 +43,8 @@ void write_paths(const PlanProblem& problem, const RiskField& risk, const Compar
                          drawn(comparison.shortest, risk, "shortest", kShortestColour, LineStyle::dashed)};
   write_path_csv(comparison.shortest, risk, with_ending(name, "_shortest.csv"));
   write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
-  draw_paths(problem.alignability, problem.occupancy, paths, picture_options(problem.query, name.filename().string()),
-             with_ending(name, ".png"));
+  draw_paths(problem.alignability, problem.occupancy, paths,
+             picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()), with_ending(name, ".png"));
 }
 
 // Where paths are to be driven.

@@ -77,6 +77,8 @@ void print_table(const Comparison& comparison) {
   print_row("blind", a.blind_length, b.blind_length, "m");
   print_row("longest blind", a.longest_blind, b.longest_blind, "m");
   print_row("risk integral", a.risk_integral, b.risk_integral, "m");
+  const std::vector<std::string> sources = source_labels(comparison.shortest.query.risk, "risk, ");
+  for (std::size_t i = 0; i < sources.size(); ++i) print_row(sources[i].c_str(), a.risk_by_source[i], b.risk_by_source[i], "m");
   print_row("alpha, mean", a.alpha_mean, b.alpha_mean, "");
   print_row("alpha, least", a.alpha_min, b.alpha_min, "");
   print_row("planning", comparison.shortest.seconds, comparison.risk_aware.seconds, "s");

@@ -82,7 +82,10 @@ std::string csv_text(const std::string& text) {
 }
 
 void write_edges_csv(const EvaluatedRoute& evaluated, const std::filesystem::path& csv) {
-  std::string text = "id,from,to,status,x,y,cost,length,risk_integral,blind_length,longest_blind,alpha_mean,alpha_min\n";
+  std::string text = "id,from,to,status,x,y,cost,length,risk_integral,blind_length,longest_blind,alpha_mean,alpha_min";
+  const std::vector<std::string> sources = source_labels(evaluated.problem.query.risk, "risk_");
+  for (const std::string& source : sources) text.append(",").append(source);
+  text += '\n';
   for (const auto& [edge, way] : evaluated.evaluation.edges) {
     text += csv_text(edge.id);
     for (const std::size_t node : {edge.from, edge.to}) text += ',' + csv_text(evaluated.route.graph.nodes[node].id);
@@ -94,6 +97,7 @@ void write_edges_csv(const EvaluatedRoute& evaluated, const std::filesystem::pat
                                figures.alpha_mean, figures.alpha_min}) {
       text += ',' + (std::isnan(value) ? "" : to_text(value));
     }
+    for (std::size_t i = 0; i < sources.size(); ++i) text.append(",").append(to_text(figures.risk_by_source[i]));
     text += '\n';
   }
   write_file(csv, text);
@@ -135,7 +139,7 @@ void print_evaluation(const EvaluatedRoute& evaluated) {
     print_edges(evaluated);
   } else {
     std::printf("%-20s %9.2f m\n", "cost", evaluated.evaluation.total.cost);
-    print_figures(evaluated.evaluation.total.figures);
+    print_figures(evaluated.evaluation.total.figures, evaluated.problem.query.risk);
   }
 }
 
@@ -153,7 +157,7 @@ void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, co
   const std::filesystem::path csv = with_ending(name, ".csv");
   const bool is_path = !evaluated.route.path.empty();
   const PlanResult path = as_plan(evaluated.route.path, evaluated.evaluation.total, query);
-  PathPictureOptions options = picture_options(path.query, title);
+  PathPictureOptions options = picture_options(path.query, risk, evaluated.problem.occupancy.geometry(), title);
   if (!is_path) options.start = options.goal = std::nullopt;
   const std::vector<DrawnPath> paths =
       is_path ? std::vector<DrawnPath>{drawn(path, risk, title, kRiskAwareColour, LineStyle::solid)} : drawn_edges(evaluated, risk);

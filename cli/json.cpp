@@ -32,10 +32,27 @@ Json motion_json(const Motion& motion) {
   return json;
 }
 
+const char* policy_name(UnknownPolicy policy) {
+  return policy == UnknownPolicy::risky ? "risky" : policy == UnknownPolicy::neutral ? "neutral" : "blocked";
+}
+
+Json source_json(const RiskSource& source) {
+  Json json{{"weight", source.weight}};
+  if (source.file) {
+    json["raster"] = source.file->file.string();
+    if (!source.file->layer.empty()) json["layer"] = source.file->layer;
+    if (source.file->place) {
+      json["resolution"] = source.file->place->resolution;
+      json["origin"] = {source.file->place->origin.x(), source.file->place->origin.y()};
+    }
+  }
+  json["risky"] = source.risky;
+  json["safe"] = source.safe;
+  if (source.file) json["unknown"] = policy_name(source.unknown);
+  return json;
+}
+
 Json options_json(const PlanQuery& query) {
-  const char* const policy = query.risk.unknown == UnknownPolicy::risky     ? "risky"
-                             : query.risk.unknown == UnknownPolicy::neutral ? "neutral"
-                                                                            : "blocked";
   Json planner{{"name", query.planner.name}};
   if (query.planner.iterations) {
     planner["iterations"] = *query.planner.iterations;
@@ -48,7 +65,11 @@ Json options_json(const PlanQuery& query) {
     for (const Eigen::Vector2d& at : query.robot.footprint) corners.push_back({at.x(), at.y()});
     robot = {{"footprint", corners}};
   }
-  Json risk{{"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy}};
+  Json risk{
+      {"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy_name(query.risk.unknown)}};
+  if (query.risk.alpha_weight != 1.0 || !query.risk.sources.empty())
+    risk["sources"] = {{kAlignability, {{"weight", query.risk.alpha_weight}}}};
+  for (const RiskSource& source : query.risk.sources) risk["sources"][source.name] = source_json(source);
   if (query.max_error) risk["max_error"] = *query.max_error;
   if (query.risk.min_alpha) risk["min_alignability"] = *query.risk.min_alpha;
   if (query.max_blind_distance) {
@@ -62,6 +83,13 @@ Json options_json(const PlanQuery& query) {
           {"goal_tolerance", {{"position", query.goal_tolerance.position}, {"heading_deg", degrees(query.goal_tolerance.heading)}}},
           {"risk", risk},
           {"planner", planner}};
+}
+
+Json risk_by_source_json(const PlanResult& result) {
+  Json json;
+  const std::vector<std::string> names = names_of_risks(result.query.risk);
+  for (std::size_t i = 0; i < names.size(); ++i) json[names[i]] = result.figures.risk_by_source[i];
+  return json;
 }
 
 Json reading_json(Reading reading, const Readings& readings) {
@@ -165,6 +193,7 @@ Json plan_json(const PlanResult& result) {
             {"seconds", result.seconds},
             {"first_solution_seconds", number(result.first_solution_seconds)},
             {"path", path_json(result.path)}};
+  if (solved && !result.query.risk.sources.empty()) json["risk_by_source"] = risk_by_source_json(result);
   if (result.predicted_error) json["predicted_error"] = *result.predicted_error;
   if (result.longest_unrecovered) json["longest_unrecovered"] = *result.longest_unrecovered;
   if (result.smallest_max_error) json["smallest_max_error"] = *result.smallest_max_error;

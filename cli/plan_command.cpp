@@ -31,8 +31,8 @@ void write_files(const PlanProblem& problem, const RiskField& risk, const PlanRe
   if (result.status == PlanStatus::solved) {
     const DrawnPath path = drawn(result, risk, result.query.planner.name, kRiskAwareColour, LineStyle::solid);
     write_path_csv(result, risk, with_ending(name, ".csv"));
-    draw_paths(problem.alignability, problem.occupancy, {&path, 1}, picture_options(problem.query, name.filename().string()),
-               with_ending(name, ".png"));
+    draw_paths(problem.alignability, problem.occupancy, {&path, 1},
+               picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()), with_ending(name, ".png"));
   }
   write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
 }
@@ -65,7 +65,7 @@ double percent_above(const PlanResult& result) {
 void print_result(const PlanResult& result) {
   std::printf("%s, weight %g, %.2f s\n", result.query.planner.name.c_str(), result.query.weight, result.seconds);
   std::printf("%-20s %9.2f m, at most %.1f %% above the optimum\n", "cost", result.cost, percent_above(result));
-  print_figures(result.figures);
+  print_figures(result.figures, result.query.risk);
   if (result.longest_unrecovered) std::printf("%-20s %9.2f m\n", "longest unrecovered", *result.longest_unrecovered);
   if (result.predicted_error) std::printf("%-20s %9.2f m, 95 %% of the time\n", "predicted error", *result.predicted_error);
 }

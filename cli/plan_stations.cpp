@@ -25,7 +25,7 @@ void draw_ways(const PlanProblem& problem, const RiskField& risk, const StationP
       ways.back().label.clear();
     }
   }
-  PathPictureOptions options = picture_options(problem.query, png.stem().string());
+  PathPictureOptions options = picture_options(problem.query, risk, problem.occupancy.geometry(), png.stem().string());
   options.start.reset();
   options.goal.reset();
   draw_paths(problem.alignability, problem.occupancy, ways, options, png);

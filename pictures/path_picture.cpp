@@ -38,6 +38,17 @@ void draw_key(const Context& context, const MapLayout& layout, std::span<const D
   draw_key_label(context, layout, last, "blind: α below " + to_text(options.risk.alpha_critical) + unknown);
 }
 
+MapLegend risk_legend(const Grid<float>& risk) {
+  const double greatest = static_cast<double>(*std::ranges::max_element(risk.values()));
+  const double limit = greatest > 0.0 ? greatest : 1.0;
+  return {.name = "risk",
+          .colour_of = [limit](double value) { return alignability_colour(1.0 - value / limit, Tone::pale); },
+          .limit = limit,
+          .end = ScaleEnd::closed,
+          .thresholds = {},
+          .swatches = map_swatches("off the map", Tone::pale)};
+}
+
 std::vector<DrawnPath> chosen(std::span<const DrawnPath> paths, bool (*wanted)(const DrawnPath&)) {
   std::vector<DrawnPath> those;
   std::ranges::copy_if(paths, std::back_inserter(those), wanted);
@@ -67,11 +78,12 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
 
   draw_title(context, layout, options.title);
   if (!paths.empty()) draw_key(context, layout, keyed, options);
-  draw_map(context, layout.view, map.alpha(), alignability_scale(Tone::pale), occupancy, Tone::pale);
+  const MapLegend legend = options.risk_map ? risk_legend(*options.risk_map) : alignability_legend(options.risk, Tone::pale);
+  draw_map(context, layout.view, options.risk_map.value_or(map.alpha()), legend.colour_of, occupancy, Tone::pale);
   draw_path_layer(context, layout.view, paths, options);
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
-  draw_map_legend(context, layout.legend, alignability_legend(options.risk, Tone::pale));
+  draw_map_legend(context, layout.legend, legend);
   if (!in_panel.empty()) draw_profiles(context, panel, in_panel, longest_profile(in_panel), options.risk);
   page.save(png);
 }

@@ -48,11 +48,12 @@ struct PathPictureOptions {
   std::optional<Pose2> goal;
   double robot_radius = 0.0;                 ///< drawn to scale about start and goal where it exceeds their markers [m]
   std::vector<Eigen::Vector2d> footprint{};  ///< in the disk's place where it has corners, in `base_link` [m]
+  std::optional<Grid<float>> risk_map{};     ///< in α's place on the map where it is given: a risk that has other sources too, >= 0
 };
 
-/// Draws paths over a pale alignability map, blind stretches in a red halo, and below it α along each path. Blind is α below
-/// `risk.alpha_critical`, and unknown α under `UnknownPolicy::risky`. What lies beyond the maps is cut off.
-/// Throws InputError when the file cannot be written.
+/// Draws paths over a pale alignability map, or one of the risk, blue where there is none and red where it is greatest; blind stretches in
+/// a red halo, and below it α along each path. Blind is α below `risk.alpha_critical`, and unknown α under `UnknownPolicy::risky`. What
+/// lies beyond the maps is cut off. Throws InputError when the file cannot be written.
 void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
                 const PathPictureOptions& options, const std::filesystem::path& png);
 

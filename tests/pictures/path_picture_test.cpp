@@ -102,6 +102,19 @@ TEST_F(PathPicture, AFootprintTurnsWithItsPose) {
   EXPECT_LE(difference(picture.at(pixel(6.5, 3.0)), bare.at(pixel(6.5, 3.0))), kRounding);
 }
 
+TEST_F(PathPicture, ARiskOfSeveralSourcesTakesThePlaceOfAlpha) {
+  Grid<float> risk({.resolution = 1.0, .width = 10, .height = 8}, 0.0f);
+  risk[Cell{3, 5}] = 1.5f;
+  risk[Cell{6, 5}] = 0.75f;
+  PathPictureOptions options;
+  options.risk_map = risk;
+  const Picture picture = drawn({}, options);
+  const auto colour = [](double share) { return detail::alignability_colour(1.0 - share, detail::Tone::pale); };
+  EXPECT_LE(difference(picture.at(pixel(3.5, 5.5)), colour(1.0)), kRounding);
+  EXPECT_LE(difference(picture.at(pixel(6.5, 5.5)), colour(0.5)), kRounding);
+  EXPECT_LE(difference(picture.at(pixel(8.5, 2.5)), colour(0.0)), kRounding);
+}
+
 TEST_F(PathPicture, WithoutPathsThereIsTheMapAlone) {
   const int alone = drawn({}).height();
   const std::vector<DrawnPath> paths = {eastward(4.0, {})};
