@@ -20,13 +20,13 @@ enum class UnknownPolicy {
 /// A kind of risk beside that of poor alignability: a value by place, such as how often something moves there, and from where to where it
 /// is risky. As with α, cells without a value take that of their neighbours first (see fill_border), and `unknown` says of the others.
 struct RiskSource {
-  std::string name = {};                              ///< see is_source_name; another than kAlignability and than other sources'
-  double weight = 1.0;                           ///< what it counts in the sum of risks, >= 0
-  double risky = 1.0;                            ///< the value from which on the risk is 1
-  double safe = 0.0;                             ///< that from which on it is 0, on whichever side; linear between
-  UnknownPolicy unknown = UnknownPolicy::risky;  ///< not `blocked`
-  std::optional<RasterFile> file = {};           ///< that the values are from, for the record
-  std::shared_ptr<const Grid<float>> values = {};     ///< finite or NaN, at the centres of cells that cover the occupancy map
+  std::string name = {};                           ///< see is_source_name; another than kAlignability and than other sources'
+  double weight = 1.0;                             ///< what it counts in the sum of risks, >= 0
+  double risky = 1.0;                              ///< the value from which on the risk is 1
+  double safe = 0.0;                               ///< that from which on it is 0, on whichever side; linear between
+  UnknownPolicy unknown = UnknownPolicy::risky;    ///< not `blocked`
+  std::optional<RasterFile> file = {};             ///< that the values are from, for the record
+  std::shared_ptr<const Grid<float>> values = {};  ///< finite or NaN, at the centres of cells that cover the occupancy map
 };
 
 /// The name that α's own risk has among the sources, and that of the risk which problem files give by clearance.
