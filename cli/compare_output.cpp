@@ -147,7 +147,8 @@ void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanRe
     last = &result;
   }
   routes.push_back(drawn(shortest, risk, "shortest", kShortestColour, LineStyle::dashed));
-  draw_paths(problem.alignability, problem.occupancy, routes, picture_options(problem.query, name.filename().string()),
+  draw_paths(problem.alignability, problem.occupancy, routes,
+             picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()),
              with_ending(name, "_limits.png"));
 }
 
