@@ -13,7 +13,7 @@ std::optional<double> least_limit(const LimitRange& range, const std::function<b
     if (enough > range.most || stop.stop_requested()) return std::nullopt;
     too_little = enough;
   }
-  while (enough - too_little > std::max(range.share * enough, kNear)) {
+  while (enough - too_little > std::max(0.01 * enough, kNear)) {
     const double middle = 0.5 * (enough + too_little);
     (does(middle) ? enough : too_little) = middle;
   }

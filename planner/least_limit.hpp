@@ -9,13 +9,12 @@ namespace alignability {
 
 /// Where a limit is looked for that can be kept.
 struct LimitRange {
-  double least = 0.0;   ///< no smaller one can be
-  double most = 0.0;    ///< a greater one will do no more
-  double share = 0.01;  ///< how near to the smallest that is near enough, or within a thousandth
+  double least = 0.0;  ///< no smaller one can be
+  double most = 0.0;   ///< a greater one will do no more
 };
 
-/// The smallest limit that does, as near as asked, itself one that does; nullopt where none does, and when stopped. What does must do when
-/// greater.
+/// The smallest limit that does, to within 1 % or a thousandth, itself one that does; nullopt where none does, and when stopped. What does
+/// must do when greater.
 std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const std::stop_token& stop);
 
 }  // namespace alignability

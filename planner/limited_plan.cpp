@@ -5,7 +5,6 @@
 #include <functional>
 
 #include "planner/car_path.hpp"
-#include "planner/least_limit.hpp"
 #include "planner/limited_path.hpp"
 #include "planner/planar_plan.hpp"
 #include "planner/planners.hpp"
@@ -34,6 +33,12 @@ struct Limited {
     return limits;
   }
   PlanarMotion motion() const { return {area.risk_field(), area.clearance_map(), query().weight, area.circumscribed_radius()}; }
+  CarTask car_task(const PathLimits& limits) const {
+    return {area, objective, query().start, query().goal, query().goal_tolerance, limits};
+  }
+  std::function<bool()> stopping() const {
+    return [stop = stop] { return stop.stop_requested(); };
+  }
   // Short of the tolerance by as much as the path is cut.
   LimitedWay way() const { return {query().start.position(), query().goal.position(), (1.0 - 1e-6) * query().goal_tolerance.position}; }
 };
@@ -59,12 +64,6 @@ bool keeps_blind_distance(const PlanResult& result) {
   return !result.query.max_blind_distance || *result.longest_unrecovered <= *result.query.max_blind_distance + BlindLimit::kRounding;
 }
 
-std::optional<std::vector<Pose2>> car_within(const Limited& limited, const PathLimits& limits) {
-  const PlanQuery& query = limited.query();
-  return car_path({limited.area, limited.objective, query.start, query.goal, query.goal_tolerance, limits},
-                  [&] { return limited.stop.stop_requested(); });
-}
-
 PlanResult solved_by_car(const std::vector<Pose2>& poses, const Limited& limited) {
   PlanResult result;
   result.status = PlanStatus::solved;
@@ -78,38 +77,22 @@ PlanResult solved_by_car(const std::vector<Pose2>& poses, const Limited& limited
 
 std::optional<PlanResult> plan_within(const Limited& limited, const PathLimits& limits) {
   if (limited.is_car()) {
-    const auto poses = car_within(limited, limits);
+    const auto poses = car_path(limited.car_task(limits), limited.stopping());
     return poses ? std::optional(solved_by_car(*poses, limited)) : std::nullopt;
   }
   const auto path = path_within(limited.motion(), limits, limited.way(), limited.stop);
   return path ? std::optional(solved_along(*path, limited.query(), *limited.area.risk_field())) : std::nullopt;
 }
 
-// The smallest that a car was found to keep, to within a tenth: each try is a search of its own.
-std::optional<double> smallest_of_car(const Limited& limited, double most, const std::function<PathLimits(double)>& limits) {
-  return least_limit(
-      {.least = 0.0, .most = most, .share = 0.1}, [&](double tried) { return car_within(limited, limits(tried)).has_value(); },
-      limited.stop);
-}
-
+// Of a car nothing is sought: that a search of all its poses finds none takes too long to ask again and again.
 std::optional<double> smallest_max_error(const Limited& limited) {
-  const PathLimits limits = limited.limits(1.0);
-  if (!limited.is_car()) return smallest_max_error(limited.motion(), limits, limited.way(), limited.stop);
-  return smallest_of_car(limited, *limited.free.predicted_error, [&](double most) {
-    PathLimits tried = limits;
-    tried.error->most = most;
-    return tried;
-  });
+  if (limited.is_car()) return std::nullopt;
+  return smallest_max_error(limited.motion(), limited.limits(1.0), limited.way(), limited.stop);
 }
 
 std::optional<double> smallest_max_blind_distance(const Limited& limited) {
-  const PathLimits limits = limited.limits(1.0);
-  if (!limited.is_car()) return smallest_max_blind_distance(limited.motion(), limits, limited.way(), limited.stop);
-  return smallest_of_car(limited, *limited.free.longest_unrecovered, [&](double most) {
-    PathLimits tried = limits;
-    tried.blind->most = most;
-    return tried;
-  });
+  if (limited.is_car()) return std::nullopt;
+  return smallest_max_blind_distance(limited.motion(), limited.limits(1.0), limited.way(), limited.stop);
 }
 
 // What was found, or what the free plan comes to where that does and is less.
