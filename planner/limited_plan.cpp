@@ -2,6 +2,7 @@
 #include "planner/limited_plan.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <functional>
 
 #include "planner/car_path.hpp"
@@ -36,8 +37,12 @@ struct Limited {
   CarTask car_task(const PathLimits& limits) const {
     return {area, objective, query().start, query().goal, query().goal_tolerance, limits};
   }
+  // A search of all a car's poses may take long to find none: by the planner's time, but where plans are to repeat.
   std::function<bool()> stopping() const {
-    return [stop = stop] { return stop.stop_requested(); };
+    const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(query().planner.time);
+    return [stop = stop, deadline, is_timed = !query().planner.iterations] {
+      return stop.stop_requested() || (is_timed && std::chrono::steady_clock::now() > deadline);
+    };
   }
   // Short of the tolerance by as much as the path is cut.
   LimitedWay way() const { return {query().start.position(), query().goal.position(), (1.0 - 1e-6) * query().goal_tolerance.position}; }
