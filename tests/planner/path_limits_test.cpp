@@ -86,6 +86,7 @@ TEST_F(Limits, AreKeptByCars) {
   for (const MotionSpace space : {MotionSpace::dubins, MotionSpace::reeds_shepp}) {
     SCOPED_TRACE(to_string(space));
     problem.query.motion = {.space = space, .turn_cost = 0.2, .turning_radius = 1.0, .reverse_penalty = 1.0};
+    problem.query.planner.time = 120.0;
     problem.query.max_error.reset();
     problem.query.max_blind_distance.reset();
     const PlanResult free = plan(problem, {});
@@ -115,6 +116,7 @@ TEST_F(Limits, ThatACarCannotKeepNameOneThatItCan) {
   problem.query.start = {1.0, 1.5, 0.0};
   problem.query.goal = {5.0, 1.5, 0.0};
   problem.query.motion = {.space = MotionSpace::dubins, .turn_cost = 0.2, .turning_radius = 1.0, .reverse_penalty = 1.0};
+  problem.query.planner.time = 120.0;
   problem.query.max_blind_distance = 2.0;
   const PlanResult result = plan(problem, {});
   EXPECT_EQ(result.status, PlanStatus::infeasible);
