@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "alignability/build_map.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 
 #include <algorithm>
 #include <limits>
@@ -15,6 +11,7 @@
 #include "alignability/cell_evaluator.hpp"
 #include "alignability/checkpoint.hpp"
 #include "core/range.hpp"
+#include "lidar/in_parallel.hpp"
 
 namespace alignability {
 namespace {
@@ -87,22 +84,11 @@ std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluato
     }
   }
   Ledger ledger(options.progress, {jobs.size() - left.size(), jobs.size()}, checkpoint);
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    // Workers compute in this thread's floating-point mode, whoever woke them first.
-    tbb::task_group_context context(tbb::task_group_context::isolated,
-                                    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-    context.capture_fp_settings();
-    tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
-    const auto evaluate_range = [&](const tbb::blocked_range<std::size_t>& range) {
-      Scorer& scorer = scorers.local();
-      for (std::size_t k = range.begin(); k != range.end(); ++k) {
-        const Job& job = jobs[left[k]];
-        values[left[k]] = evaluator(job.free, job.cell, scorer);
-        ledger.enter(job.cell, values[left[k]]);
-      }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, left.size(), 1), evaluate_range, tbb::simple_partitioner(), context);
+  tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
+  in_parallel(left.size(), options.threads, [&](std::size_t k) {
+    const Job& job = jobs[left[k]];
+    values[left[k]] = evaluator(job.free, job.cell, scorers.local());
+    ledger.enter(job.cell, values[left[k]]);
   });
   return values;
 }

@@ -1,11 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "alignability/log_map.hpp"
 
-#include <tbb/blocked_range.h>
 #include <tbb/enumerable_thread_specific.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
 
 #include <cmath>
 #include <limits>
@@ -15,6 +11,7 @@
 
 #include "alignability/cell_summary.hpp"
 #include "core/range.hpp"
+#include "lidar/in_parallel.hpp"
 #include "lidar/scan_file.hpp"
 
 namespace alignability {
@@ -46,22 +43,11 @@ std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMa
     ++progress.done;
     if (options.progress) options.progress(progress);
   };
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] {
-    // Workers compute in this thread's floating-point mode, whoever woke them first.
-    tbb::task_group_context context(tbb::task_group_context::isolated,
-                                    tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-    context.capture_fp_settings();
-    tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
-    const auto score_range = [&](const tbb::blocked_range<std::size_t>& range) {
-      Scorer& scorer = scorers.local();
-      for (std::size_t i = range.begin(); i != range.end(); ++i) {
-        if (options.stop.stop_requested()) throw Interrupted();
-        places[i] = score_of(scans[i], options, scorer);
-        tell_of_one_more();
-      }
-    };
-    tbb::parallel_for(tbb::blocked_range<std::size_t>(0, scans.size(), 1), score_range, tbb::simple_partitioner(), context);
+  tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
+  in_parallel(scans.size(), options.threads, [&](std::size_t i) {
+    if (options.stop.stop_requested()) throw Interrupted();
+    places[i] = score_of(scans[i], options, scorers.local());
+    tell_of_one_more();
   });
   return places;
 }

@@ -25,7 +25,7 @@ set(alignability_alignability_beneath costmap lidar)
 set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)
 
 set(alignability_localization_beneath costmap lidar)
-set(alignability_localization_private "Boost 1.74 CONFIG" TBB yaml-cpp)
+set(alignability_localization_private "Boost 1.74 CONFIG" yaml-cpp)
 
 set(alignability_pictures_beneath costmap)
 set(alignability_pictures_private AlignabilityCairomm)

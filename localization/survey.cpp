@@ -1,15 +1,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localization/survey.hpp"
 
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
 #include <algorithm>
 #include <span>
 #include <stdexcept>
 
 #include "core/range.hpp"
+#include "lidar/in_parallel.hpp"
 #include "lidar/simulate_scan.hpp"
 #include "localization/cube_index.hpp"
 
@@ -82,16 +79,11 @@ std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occu
   }
   const std::vector<Eigen::Isometry3d> poses = places(scene, occupancy, lidar, options);
   ThinnedCloud cloud(options.thinning);
-  tbb::task_group_context context(tbb::task_group_context::isolated,
-                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
   for (std::size_t begin = 0; begin < poses.size(); begin += kScansAtOnce) {
     if (options.stop.stop_requested()) throw Interrupted();
     std::vector<Scan> scans(std::min(kScansAtOnce, poses.size() - begin));
-    const auto scan_one = [&](std::size_t i) {
-      scans[i] = simulate_scan(scene, lidar, poses[begin + i], {.range_max = options.range_max});
-    };
-    arena.execute([&] { tbb::parallel_for(std::size_t{0}, scans.size(), scan_one, context); });
+    in_parallel(scans.size(), options.threads,
+                [&](std::size_t i) { scans[i] = simulate_scan(scene, lidar, poses[begin + i], {.range_max = options.range_max}); });
     for (std::size_t i = 0; i < scans.size(); ++i) cloud.add(scans[i].points, above_floor(poses[begin + i], options.floor));
     if (options.progress) options.progress({begin + scans.size(), poses.size()});
   }

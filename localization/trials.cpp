@@ -1,13 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localization/trials.hpp"
 
-#include <tbb/blocked_range.h>
-#include <tbb/parallel_for.h>
-#include <tbb/task_arena.h>
-#include <tbb/task_group.h>
-
 #include <mutex>
 #include <stdexcept>
+
+#include "lidar/in_parallel.hpp"
 
 namespace alignability {
 
@@ -22,19 +19,14 @@ std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const LidarMode
     if (options.progress) options.progress(progress);
   };
   report();
-  // Each thread drives with the processor's own floating-point settings, whatever the tracer's are.
-  tbb::task_group_context context(tbb::task_group_context::isolated,
-                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  const auto drive_one = [&](std::size_t number) {
+  in_parallel(paths.size() * runs, options.threads, [&](std::size_t number) {
     const std::size_t path = number / runs;
     const std::size_t run = number % runs;
     drives[path][run] = drive(scene, lidar, map, paths[path], options.drive, options.seed + run, options.stop);
     const std::scoped_lock lock(mutex);
     ++progress.done;
     report();
-  };
-  tbb::task_arena arena(options.threads > 0 ? options.threads : tbb::task_arena::automatic);
-  arena.execute([&] { tbb::parallel_for(std::size_t{0}, paths.size() * runs, drive_one, context); });
+  });
   return drives;
 }
 

@@ -56,6 +56,17 @@ BlindState moved(BlindState state, Ground ground, double metres, double recovery
   return state;
 }
 
+// After a straight way, from and to, or an arc.
+template <typename... Way>
+std::optional<BlindState> after_way(const BlindLimit& limit, BlindState state, const RiskField& risk, const Way&... way) {
+  bool kept = true;
+  walk(way..., risk, [&](Ground ground, double metres) {
+    state = moved(state, ground, metres, limit.recovery);
+    kept = kept && state.blind <= limit.most + BlindLimit::kRounding;
+  });
+  return kept ? std::optional(state) : std::nullopt;
+}
+
 struct LongestUnrecovered {
   double recovery;
   double most = 0.0;
@@ -71,21 +82,11 @@ struct LongestUnrecovered {
 
 std::optional<BlindState> BlindLimit::after(State state, const Eigen::Vector2d& from, const Eigen::Vector2d& to,
                                             const RiskField& risk) const {
-  bool kept = true;
-  walk(from, to, risk, [&](Ground ground, double metres) {
-    state = moved(state, ground, metres, recovery);
-    kept = kept && state.blind <= most + kRounding;
-  });
-  return kept ? std::optional(state) : std::nullopt;
+  return after_way(*this, state, risk, from, to);
 }
 
 std::optional<BlindState> BlindLimit::after(State state, const Arc& arc, const RiskField& risk) const {
-  bool kept = true;
-  walk(arc, risk, [&](Ground ground, double metres) {
-    state = moved(state, ground, metres, recovery);
-    kept = kept && state.blind <= most + kRounding;
-  });
-  return kept ? std::optional(state) : std::nullopt;
+  return after_way(*this, state, risk, arc);
 }
 
 BlindLimit::Change BlindLimit::change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {

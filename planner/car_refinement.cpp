@@ -11,8 +11,6 @@ namespace {
 
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr double kWorthIt = 1e-9;  // of the cost
-// States that differ by less than such a share of what the limits allow count as one.
-constexpr double kAlike = 0.02;
 
 using Poses = std::vector<Pose2>;
 
@@ -45,7 +43,7 @@ void add(std::vector<Label>& labels, const Label& label, const PathLimits& limit
   const auto is_better = [&](const Label& one, const Label& other, double alike) {
     return one.cost <= other.cost && limits.is_no_worse(one.state, other.state, alike);
   };
-  if (std::ranges::any_of(labels, [&](const Label& known) { return is_better(known, label, kAlike); })) return;
+  if (std::ranges::any_of(labels, [&](const Label& known) { return is_better(known, label, kAlikeToCars); })) return;
   std::erase_if(labels, [&](const Label& known) { return is_better(label, known, 0.0); });
   labels.insert(std::ranges::upper_bound(labels, label.cost, {}, &Label::cost), label);
 }

@@ -14,8 +14,6 @@ namespace {
 constexpr double kInfinite = std::numeric_limits<double>::infinity();
 constexpr int kHeadings = 72;
 constexpr double kHeadingStep = 2.0 * std::numbers::pi / kHeadings;
-// States that differ by less than such a share of what the limits allow count as one.
-constexpr double kAlike = 0.02;
 
 class CarSearch {
  public:
@@ -84,7 +82,7 @@ class CarSearch {
 
   bool is_superfluous(std::uint64_t key, double cost, const PathLimits::State& state) const {
     for (std::uint32_t known = first_of(key); known != kNone; known = nodes_[known].next) {
-      if (nodes_[known].cost <= cost && task_.limits.is_no_worse(nodes_[known].state, state, kAlike)) return true;
+      if (nodes_[known].cost <= cost && task_.limits.is_no_worse(nodes_[known].state, state, kAlikeToCars)) return true;
     }
     return false;
   }

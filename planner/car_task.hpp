@@ -11,6 +11,9 @@
 
 namespace alignability {
 
+/// States under a car's limits that differ by less than such a share of what is allowed count as one.
+inline constexpr double kAlikeToCars = 0.02;
+
 /// Where a car is to get, and by what: the curves of the objective's steering, which it must have.
 struct CarTask {
   const DrivableArea& area;

@@ -30,6 +30,13 @@ void walk(const Arc& arc, const RiskField& risk, Visit visit) {
       arc.length(), risk, [&](double share) { return arc.at(share * arc.length()).position(); }, visit);
 }
 
+// After a straight way, from and to, or an arc.
+template <typename... Way>
+std::optional<double> after_way(const ErrorLimit& limit, double error, const RiskField& risk, const Way&... way) {
+  walk(way..., risk, [&](double alpha, double metres) { return (error = limit.model.advanced(error, alpha, metres)) <= limit.most; });
+  return error <= limit.most ? std::optional(error) : std::nullopt;
+}
+
 }  // namespace
 
 std::vector<PredictedError> predicted_errors(std::span<const Pose2> path, const RiskField& risk, const ErrorModel& model) {
@@ -79,13 +86,11 @@ ErrorLimit::Change ErrorLimit::change(const Eigen::Vector2d& from, const Eigen::
 }
 
 std::optional<double> ErrorLimit::after(double error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const {
-  walk(from, to, risk, [&](double alpha, double metres) { return (error = model.advanced(error, alpha, metres)) <= most; });
-  return error <= most ? std::optional(error) : std::nullopt;
+  return after_way(*this, error, risk, from, to);
 }
 
 std::optional<double> ErrorLimit::after(double error, const Arc& arc, const RiskField& risk) const {
-  walk(arc, risk, [&](double alpha, double metres) { return (error = model.advanced(error, alpha, metres)) <= most; });
-  return error <= most ? std::optional(error) : std::nullopt;
+  return after_way(*this, error, risk, arc);
 }
 
 std::optional<double> ErrorLimit::after(double error, const Change& change, const Eigen::Vector2d& from, const Eigen::Vector2d& to,

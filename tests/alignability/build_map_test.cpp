@@ -7,6 +7,7 @@
 #include <bit>
 #include <cmath>
 
+#include "tests/alignability/coarse_lidar.hpp"
 #include "tests/alignability/simulated.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/costmap/ascii_map.hpp"
@@ -25,15 +26,8 @@ Scene room() {
 OccupancyMap room_occupancy() { return test::ascii_map(0.5, {"........", "........", "....##..", "....##..", "........", "......??"}); }
 
 LidarModel small_lidar() {
-  LidarModel lidar;
+  LidarModel lidar = test::coarse_lidar();
   lidar.name = "test";
-  for (int ring = 0; ring < 16; ++ring) lidar.elevations.push_back(radians(-40.0 + 5.0 * ring));
-  lidar.azimuth_min = radians(-180);
-  lidar.azimuth_max = radians(180);
-  lidar.columns = 360;
-  lidar.range_min = 0.1;
-  lidar.range_max = 20.0;
-  lidar.range_stddev = 0.005;
   lidar.rate = 10.0;
   lidar.T_base_lidar.translation().z() = 1.0;
   return lidar;

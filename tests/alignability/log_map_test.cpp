@@ -10,6 +10,7 @@
 
 #include "core/distribution.hpp"
 #include "lidar/scan_file.hpp"
+#include "tests/alignability/coarse_lidar.hpp"
 #include "tests/alignability/simulated.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/core/thrown_message.hpp"
@@ -24,25 +25,13 @@ Scene room() {
                 box({0.0, -0.2, 0.0}, {6.0, 0.0, 3.0}), box({0.0, 4.0, 0.0}, {6.0, 4.2, 3.0})});
 }
 
-LidarModel small_lidar() {
-  LidarModel lidar;
-  for (int ring = 0; ring < 16; ++ring) lidar.elevations.push_back(radians(-40.0 + 5.0 * ring));
-  lidar.azimuth_min = radians(-180);
-  lidar.azimuth_max = radians(180);
-  lidar.columns = 360;
-  lidar.range_min = 0.1;
-  lidar.range_max = 20.0;
-  lidar.range_stddev = 0.005;
-  return lidar;
-}
-
 // Scans of a room, each from a place of its own and a metre up.
 class LogOfARoom : public testing::Test {
  protected:
   PosedScan taken_at(double x, double y, double yaw) {
     Eigen::Isometry3d pose(Eigen::Translation3d(x, y, 1.0) * Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()));
     PosedScan posed{.file = folder / (std::to_string(count_) + ".pcd"), .stamp = 0.0, .T_map_lidar = pose};
-    write_pcd(simulate_scan(room(), small_lidar(), pose, {}, NoiseKey{1, 0, count_++}), posed.file);
+    write_pcd(simulate_scan(room(), test::coarse_lidar(), pose, {}, NoiseKey{1, 0, count_++}), posed.file);
     return posed;
   }
   std::vector<PosedScan> few_scans() {

@@ -8,6 +8,7 @@
 #include <random>
 
 #include "core/file.hpp"
+#include "tests/cli/json_keys.hpp"
 #include "tests/cli/site_cli.hpp"
 
 namespace alignability {
@@ -20,12 +21,6 @@ using testing::HasSubstr;
 using testing::StartsWith;
 
 class Cli : public test::SiteCli {};
-
-std::vector<std::string> keys(const json& object) {
-  std::vector<std::string> names;
-  for (const auto& [key, value] : object.items()) names.push_back(key);
-  return names;
-}
 
 TEST_F(Cli, GoesFromAWorldToTwoPaths) {
   test::Outcome outcome = run(kOccupancy);
@@ -52,8 +47,8 @@ TEST_F(Cli, ScansAndScores) {
   EXPECT_TRUE(exists("scan.png"));
   const json score = json::parse(outcome.out);
   EXPECT_EQ(score["file"], "scan.pcd");
-  EXPECT_THAT(keys(score), testing::UnorderedElementsAre("file", "points", "alpha", "eigenvalues", "weakest_direction", "planes_found",
-                                                         "planes_kept", "engine", "seconds"));
+  EXPECT_THAT(test::keys(score), testing::UnorderedElementsAre("file", "points", "alpha", "eigenvalues", "weakest_direction",
+                                                               "planes_found", "planes_kept", "engine", "seconds"));
   EXPECT_GT(score["alpha"].get<double>(), 0.1);
   const json several = json::parse(run({"score", "scan.pcd", "scan.pcd", "--json"}).out);
   ASSERT_TRUE(several.is_array());
@@ -66,7 +61,7 @@ TEST_F(Cli, ReadsAScanInOtherWaysWhenAsked) {
   EXPECT_THAT(run(score).out, testing::ContainsRegex("seconds +robust +information\n"));
   const json read = json::parse(run(score, {"--json"}).out);
   EXPECT_GT(read["robust"].get<double>(), 0.1);
-  EXPECT_THAT(keys(read["information"]), testing::UnorderedElementsAre("least", "weakest_direction", "yaw", "matrix"));
+  EXPECT_THAT(test::keys(read["information"]), testing::UnorderedElementsAre("least", "weakest_direction", "yaw", "matrix"));
   EXPECT_GT(read["information"]["least"].get<double>(), 1e4);
   EXPECT_FALSE(read.contains("voxel"));
   const json explained =
@@ -120,7 +115,7 @@ TEST_F(Cli, ExplainsTheAlphaThatScanAndScoreGive) {
       run({"explain", "1.5,1.5", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--seed", "7", "--json", "-o", "why.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json why = json::parse(outcome.out);
-  EXPECT_THAT(keys(why),
+  EXPECT_THAT(test::keys(why),
               testing::UnorderedElementsAre("at", "alpha", "verdict", "why", "eigenvalues", "weakest_direction", "noise", "planes", "map"));
   EXPECT_EQ(why["at"], json({1.5, 1.5}));
   EXPECT_EQ(why["alpha"], score["alpha"]);
@@ -130,7 +125,7 @@ TEST_F(Cli, ExplainsTheAlphaThatScanAndScoreGive) {
   double holds = 0.0;
   int segments = 0;
   for (const json& plane : why["planes"]) {
-    EXPECT_THAT(keys(plane),
+    EXPECT_THAT(test::keys(plane),
                 testing::UnorderedElementsAre("kind", "normal", "segments", "points", "share", "distance", "extents", "holds"));
     share += plane["share"].get<double>();
     holds += plane["holds"].get<double>();
@@ -169,16 +164,16 @@ TEST_F(Cli, ExplainsByAProblemFileBesideTheMap) {
 TEST_F(Cli, PrintsTheJsonThatTheDesignPromises) {
   ASSERT_EQ(run(kOccupancy).exit_code, 0);
   const json map = json::parse(run(kMap, {"--json"}).out);
-  EXPECT_THAT(keys(map), testing::UnorderedElementsAre("cells", "cells_evaluated", "scans", "alpha", "seconds", "files"));
+  EXPECT_THAT(test::keys(map), testing::UnorderedElementsAre("cells", "cells_evaluated", "scans", "alpha", "seconds", "files"));
   EXPECT_EQ(map["scans"].get<int>(), 2 * map["cells_evaluated"].get<int>());
   const json plan = json::parse(run({"plan", "problem.yaml", "--json"}).out);
   EXPECT_EQ(plan["status"], "solved");
-  EXPECT_THAT(keys(plan), testing::UnorderedElementsAre("status", "planner", "seed", "weight", "options", "cost", "lower_bound", "length",
-                                                        "risk_integral", "blind_length", "longest_blind", "alpha_mean", "alpha_min",
-                                                        "seconds", "first_solution_seconds", "path"));
+  EXPECT_THAT(test::keys(plan), testing::UnorderedElementsAre("status", "planner", "seed", "weight", "options", "cost", "lower_bound",
+                                                              "length", "risk_integral", "blind_length", "longest_blind", "alpha_mean",
+                                                              "alpha_min", "seconds", "first_solution_seconds", "path"));
   const json compare = json::parse(run({"compare", "problem.yaml", "--json"}).out);
-  EXPECT_THAT(keys(compare), testing::UnorderedElementsAre("shortest", "risk_aware", "ratio"));
-  EXPECT_THAT(keys(compare["ratio"]), testing::UnorderedElementsAre("length", "blind_length", "risk_integral"));
+  EXPECT_THAT(test::keys(compare), testing::UnorderedElementsAre("shortest", "risk_aware", "ratio"));
+  EXPECT_THAT(test::keys(compare["ratio"]), testing::UnorderedElementsAre("length", "blind_length", "risk_integral"));
   EXPECT_EQ(compare["shortest"]["weight"], 0.0);
   EXPECT_EQ(compare["risk_aware"]["weight"], 5.0);
 }

@@ -4,6 +4,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "tests/cli/json_keys.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/core/temporary_folder.hpp"
 
@@ -32,12 +33,6 @@ class EvaluateCommand : public testing::Test {
   test::TemporaryFolder folder;
 };
 
-std::vector<std::string> keys(const json& object) {
-  std::vector<std::string> names;
-  for (const auto& [key, value] : object.items()) names.push_back(key);
-  return names;
-}
-
 TEST_F(EvaluateCommand, GivesAPlansFileTheFiguresOfThePlan) {
   ASSERT_EQ(test::run_program({"plan", kProblem, "--iterations", "2000", "-o", "plan"}, folder / "").exit_code, 0);
   const json plan = json::parse(text("plan.json"));
@@ -50,9 +45,9 @@ TEST_F(EvaluateCommand, GivesAPlansFileTheFiguresOfThePlan) {
   for (const char* figure : {"cost", "length", "risk_integral", "blind_length", "longest_blind", "alpha_mean", "alpha_min", "weight"}) {
     EXPECT_NEAR(scored[figure].get<double>(), plan[figure].get<double>(), 1e-9) << figure;
   }
-  std::vector<std::string> expected = keys(plan);
+  std::vector<std::string> expected = test::keys(plan);
   expected.push_back("obstruction");
-  EXPECT_THAT(keys(scored), testing::UnorderedElementsAreArray(expected));
+  EXPECT_THAT(test::keys(scored), testing::UnorderedElementsAreArray(expected));
   EXPECT_EQ(scored["options"]["start"], plan["path"].front());
   EXPECT_EQ(scored["path"].front(), plan["path"].front());
   EXPECT_EQ(scored["path"].back(), plan["path"].back());
@@ -75,8 +70,9 @@ TEST_F(EvaluateCommand, WritesTheEdgesOfAGraphAndAPicture) {
   const json lanes = json::parse(text("lanes.json"));
   ASSERT_EQ(lanes["edges"].size(), 9u);
   const json& worst = lanes["edges"][0];
-  EXPECT_THAT(keys(worst), testing::UnorderedElementsAre("id", "from", "to", "status", "obstruction", "cost", "length", "risk_integral",
-                                                         "blind_length", "longest_blind", "alpha_mean", "alpha_min", "path"));
+  EXPECT_THAT(test::keys(worst),
+              testing::UnorderedElementsAre("id", "from", "to", "status", "obstruction", "cost", "length", "risk_integral", "blind_length",
+                                            "longest_blind", "alpha_mean", "alpha_min", "path"));
   EXPECT_EQ(worst["id"], "102");
   EXPECT_EQ(worst["path"], json({{9.0, 22.5, 0.0}, {51.0, 22.5, 0.0}}));
   double length = 0.0;

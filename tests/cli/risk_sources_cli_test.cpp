@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "tests/cli/json_keys.hpp"
 #include "tests/cli/program.hpp"
 #include "tests/core/temporary_folder.hpp"
 
@@ -28,12 +29,6 @@ class RiskSourcesCli : public testing::Test {
   test::TemporaryFolder folder;
 };
 
-std::vector<std::string> keys(const json& object) {
-  std::vector<std::string> names;
-  for (const auto& [key, value] : object.items()) names.push_back(key);
-  return names;
-}
-
 std::vector<double> numbers(const std::string& line) {
   std::vector<double> values;
   std::istringstream stream(line);
@@ -49,7 +44,7 @@ TEST_F(RiskSourcesCli, ArePlannedForAndToldApart) {
   EXPECT_TRUE(text("route.png").starts_with("\x89PNG"));
   const json plan = json::parse(text("route.json"));
   const json& risks = plan["risk_by_source"];
-  EXPECT_THAT(keys(risks), testing::UnorderedElementsAre("alignability", "clearance", "traffic"));
+  EXPECT_THAT(test::keys(risks), testing::UnorderedElementsAre("alignability", "clearance", "traffic"));
   const double sum = risks["alignability"].get<double>() + 0.1 * risks["clearance"].get<double>() + 0.5 * risks["traffic"].get<double>();
   EXPECT_NEAR(plan["risk_integral"].get<double>(), sum, 1e-9);
   EXPECT_LE(plan["lower_bound"].get<double>(), plan["cost"].get<double>());
