@@ -118,6 +118,12 @@ std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, con
     add(mesh.vertices.data(), mesh.vertices.size());
     add(mesh.triangles.data(), mesh.triangles.size());
   }
+  const DiscCloud& discs = scene.discs();
+  if (!discs.empty()) {
+    add(discs.centers.data(), discs.size());
+    add(discs.normals.data(), discs.size());
+    add(discs.radii.data(), discs.size());
+  }
   const GridGeometry& grid = occupancy.geometry();
   const std::array<double, 5> place{grid.resolution, grid.origin.x(), grid.origin.y(), static_cast<double>(grid.width),
                                     static_cast<double>(grid.height)};

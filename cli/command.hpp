@@ -14,6 +14,7 @@ using Work = std::function<int()>;
 // Each adds a subcommand with its options and examples; the command sets `work` when it is chosen.
 void add_occupancy(CLI::App& app, Work& work);
 void add_scan(CLI::App& app, Work& work);
+void add_sample(CLI::App& app, Work& work);
 void add_score(CLI::App& app, Work& work);
 void add_explain(CLI::App& app, Work& work);
 void add_map(CLI::App& app, Work& work);

@@ -30,14 +30,13 @@ std::vector<Localizer> localizers_of(const std::vector<std::string>& names) {
 }
 
 // What the localizers know of the site, made as a robot would make it.
-std::vector<Eigen::Vector3f> map_cloud(const std::vector<TriangleMesh>& meshes, const Scene& scene, const OccupancyMap& occupancy,
-                                       const LidarModel& lidar, const DriveOptions& drive, const DriveSiteOptions& options,
-                                       std::stop_token stop) {
+std::vector<Eigen::Vector3f> map_cloud(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+                                       const DriveOptions& drive, const DriveSiteOptions& options, std::stop_token stop) {
   ProgressBar bar("localizer's map");
   const SurveyOptions survey_options{
       .range_max = drive.range_max, .floor = drive.floor, .threads = options.threads, .progress = bar.callback(), .stop = stop};
   if (options.moved == 0.0) return survey(scene, occupancy, lidar, survey_options);
-  MovedObjects site = with_moved_objects(meshes, options.moved, options.seed);
+  MovedObjects site = with_moved_objects(scene.meshes(), options.moved, options.seed);
   std::cerr << site.moved << " of " << site.movable << " loose objects moved in the localizer's map\n";
   return survey(Scene(std::move(site.meshes)), occupancy, lidar, survey_options);
 }
@@ -58,7 +57,7 @@ std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions&
   command.add_option("--drive-seed", options.seed, "Seed of the first run's errors and of what moved")->capture_default_str();
   command.add_option("--floor", options.floor, "Height of base_link in map [m]")->capture_default_str();
   command.add_option("--threads", options.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
-  add_world_options(command, options.reading);
+  add_site_options(command, options.reading);
   const std::vector<CLI::Option*> all = command.get_options();
   return {all.begin() + static_cast<std::ptrdiff_t>(before), all.end()};
 }
@@ -82,12 +81,15 @@ DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::pat
                           const DriveSiteOptions& options, std::stop_token stop) {
   DriveOptions drive = drive_options_of(problem, problem_file, options);
   LidarModel lidar = lidar_of(problem, problem_file, options);
-  const std::vector<TriangleMesh> meshes = read_meshes(named(problem.scene, "scene", problem_file), options.reading);
-  Scene scene(meshes);
-  const std::vector<Eigen::Vector3f> cloud = map_cloud(meshes, scene, occupancy, lidar, drive, options, stop);
+  const std::filesystem::path& scene_file = named(problem.scene, "scene", problem_file);
+  const Scene scene = read_scene(scene_file, options.reading);
+  if (options.moved > 0.0 && !scene.discs().empty()) {
+    throw InputError(scene_file, "is a point cloud, in which nothing can be told apart that --moved could move");
+  }
+  const std::vector<Eigen::Vector3f> cloud = map_cloud(scene, occupancy, lidar, drive, options, stop);
   LocalizationMap map(cloud, drive.localizer, drive.localizers);
   TrialOptions trials{.drive = std::move(drive), .seed = options.seed, .threads = options.threads, .stop = stop};
-  return {std::move(scene), std::move(lidar), std::move(map), std::move(trials)};
+  return {scene, std::move(lidar), std::move(map), std::move(trials)};
 }
 
 }  // namespace alignability::cli

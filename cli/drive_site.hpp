@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "lidar/sdf_world.hpp"
+#include "lidar/site.hpp"
 #include "localization/trials.hpp"
 #include "planner/plan_problem.hpp"
 
@@ -24,7 +24,7 @@ struct DriveSiteOptions {
   std::uint64_t seed = 1;                     ///< of the first run
   double floor = 0.0;                         ///< z of base_link in map [m]
   int threads = 0;
-  WorldOptions reading;
+  SiteOptions reading;
 };
 
 /// All but the number of runs; those that it added.

@@ -30,7 +30,7 @@ struct Options {
   std::vector<double> at;
   std::optional<std::filesystem::path> problem;
   std::optional<std::filesystem::path> scene;
-  WorldOptions reading;
+  SiteOptions reading;
   std::optional<std::filesystem::path> sensor;
   std::optional<std::filesystem::path> occupancy;
   std::optional<std::filesystem::path> alignability;
@@ -225,7 +225,7 @@ int run(Options options) {
   const LidarModel lidar = read_lidar_model(*options.sensor);
   const std::optional<OccupancyMap> occupancy = read_occupancy(options);
   const std::optional<MapCell> cell = read_map_cell(options, lidar);
-  const Scene scene(read_meshes(*options.scene, options.reading));
+  const Scene scene = read_scene(*options.scene, options.reading);
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   T_map_base.translation() << options.place(), options.floor;
   const Eigen::Isometry3d T_map_lidar = T_map_base * lidar.T_base_lidar;
@@ -259,7 +259,7 @@ void add_explain(CLI::App& app, Work& work) {
   CLI::App* command = app.add_subcommand("explain", "Tell why a place scores what it does");
   command->add_option("place", options->at, "Where base_link stands in map, at yaw 0: x,y [m]")->required()->expected(2)->delimiter(',');
   command->add_option("--problem", options->problem, "Problem file that names scene, sensor, range_max and maps");
-  command->add_option("--scene", options->scene, "SDF world or model, or a mesh");
+  command->add_option("--scene", options->scene, kSiteHelp);
   command->add_option("--sensor", options->sensor, "Sensor file");
   command->add_option("--range-max", options->range_max, "Drop returns beyond [m]")->check(CLI::PositiveNumber);
   command->add_option("--map", options->occupancy, "Occupancy map: refuses a place that is not free, and is drawn");
@@ -269,7 +269,7 @@ void add_explain(CLI::App& app, Work& work) {
   add_scoring_options(*command, options->scoring);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json and NAME.png, the scan from above");
-  add_world_options(*command, options->reading);
+  add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"
       "  alignability explain 30,22.5 --problem maps/warehouse/problem.yaml -o corridor\n"

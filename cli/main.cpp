@@ -94,6 +94,7 @@ int main(int argc, char** argv) {
   Work work;
   add_occupancy(app, work);
   add_scan(app, work);
+  add_sample(app, work);
   add_score(app, work);
   add_explain(app, work);
   add_map(app, work);

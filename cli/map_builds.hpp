@@ -7,14 +7,14 @@
 
 #include "alignability/build_map.hpp"
 #include "cli/log_options.hpp"
-#include "lidar/sdf_world.hpp"
+#include "lidar/site.hpp"
 
 namespace alignability::cli {
 
 /// What `map` is asked for: a map from a scene, from a log, or of two maps in one.
 struct MapCommandOptions {
   std::filesystem::path scene;
-  WorldOptions reading;
+  SiteOptions reading;
   LogOptions log;
   std::vector<std::filesystem::path> merge;  ///< none or two
   std::optional<std::filesystem::path> occupancy;

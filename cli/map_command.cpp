@@ -21,7 +21,7 @@ void add_options_of_scenes(CLI::App& command, MapCommandOptions& options) {
   command.add_option("--cells", options.cells, "Build these cells alone: column,row from the lower left, from 0")->delimiter(',');
   command.add_option("--polygon", options.polygon, "Build the cells alone that a polygon meets: x,y x,y x,y … [m]")->delimiter(',');
   command.add_option("--update", options.update, "Alignability map, made alike, to take the other cells from");
-  add_world_options(command, options.reading);
+  add_site_options(command, options.reading);
 }
 
 void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
@@ -34,7 +34,8 @@ void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
   add_scoring_options(command, options.map.alignability);
 }
 
-const Names kOfScenesAlone{"--samples", "--floor", "--seed", "--cells", "--polygon", "--update", "--model-path", "--geometry"};
+const Names kOfScenesAlone{"--samples",    "--floor",    "--seed", "--cells", "--polygon", "--update",
+                           "--model-path", "--geometry", "--unit", "--up",    "--thin"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
 const Names kOfMerging{"--merge", "--occupancy", "--json", "--output"};
 
@@ -71,7 +72,8 @@ int run(const MapCommandOptions& options) {
 void add_map(CLI::App& app, Work& work) {
   const auto options = std::make_shared<MapCommandOptions>();
   CLI::App* command = app.add_subcommand("map", "Build the alignability map of a site, from a scene or from recorded scans");
-  const CLI::Option* scene = command->add_option("--scene", options->scene, "SDF world or model, or a mesh, to simulate scans in");
+  const CLI::Option* scene =
+      command->add_option("--scene", options->scene, "SDF world or model, mesh, or point cloud, to simulate scans in");
   const CLI::Option* log = command->add_option("--log", options->log.folder, "Or a folder of recorded scans: .pcd, .ply, .bin");
   add_log_options(*command, options->log);
   const CLI::Option* merge =

@@ -88,7 +88,7 @@ int build_and_store(MapCommandOptions options) {
   const auto begin = std::chrono::steady_clock::now();
   const LidarModel lidar = read_lidar_model(*options.sensor);
   const OccupancyMap occupancy = read_occupancy_map(*options.occupancy);
-  const Scene scene(read_meshes(options.scene, options.reading));
+  const Scene scene = read_scene(options.scene, options.reading);
   options.map.alignability = for_lidar(options.map.alignability, lidar);
   options.map.cells = chosen_cells(options, occupancy.geometry());
   const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;

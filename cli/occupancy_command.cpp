@@ -13,7 +13,7 @@ namespace {
 
 struct Options {
   std::filesystem::path world;
-  WorldOptions reading;
+  SiteOptions reading;
   double z_min = 0.0;
   double z_max = 0.0;
   double resolution = 0.1;
@@ -22,7 +22,9 @@ struct Options {
 
 int run(const Options& options) {
   if (options.z_min >= options.z_max) throw std::invalid_argument("--z-min must be less than --z-max");
-  const Slice band = slice(read_meshes(options.world, options.reading), options.z_min, options.z_max);
+  const Site site = read_site_telling(options.world, options.reading);
+  const Slice band =
+      site.discs.empty() ? slice(site.meshes, options.z_min, options.z_max) : slice(site.discs, options.z_min, options.z_max);
   if (band.surfaces.empty()) throw InputError(options.world, "has nothing between --z-min and --z-max");
   const GridGeometry geometry = geometry_around(band, options.resolution);
   const OccupancyMap map = rasterize(band, geometry);
@@ -44,12 +46,12 @@ int run(const Options& options) {
 void add_occupancy(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("occupancy", "Slice a world into an occupancy map for map_server");
-  command->add_option("world", options->world, "SDF world or model, or a mesh")->required();
+  command->add_option("world", options->world, kSiteHelp)->required();
   command->add_option("--z-min", options->z_min, "Bottom of the slice [m]: what is lower is floor")->required();
   command->add_option("--z-max", options->z_max, "Top of the slice [m]: what is higher is passed under")->required();
   command->add_option("--resolution", options->resolution, "Side of a cell [m]")->check(CLI::PositiveNumber)->capture_default_str();
   command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml and NAME.pgm")->required();
-  add_world_options(*command, options->reading);
+  add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"
       "  alignability occupancy maps/warehouse/warehouse.sdf --z-min 0.1 --z-max 2 -o occupancy\n"

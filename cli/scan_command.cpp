@@ -15,7 +15,7 @@ namespace {
 
 struct Options {
   std::filesystem::path scene;
-  WorldOptions reading;
+  SiteOptions reading;
   std::filesystem::path sensor;
   std::vector<double> at;
   double floor = 0.0;
@@ -27,7 +27,7 @@ struct Options {
 
 int run(const Options& options) {
   const LidarModel lidar = read_lidar_model(options.sensor);
-  const Scene scene(read_meshes(options.scene, options.reading));
+  const Scene scene = read_scene(options.scene, options.reading);
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   T_map_base.translation() << options.at[0], options.at[1], options.floor;
   T_map_base.rotate(Eigen::AngleAxisd(options.at[2], Eigen::Vector3d::UnitZ()));
@@ -45,7 +45,7 @@ int run(const Options& options) {
 void add_scan(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("scan", "Simulate one lidar scan of a world");
-  command->add_option("--scene", options->scene, "SDF world or model, or a mesh")->required();
+  command->add_option("--scene", options->scene, kSiteHelp)->required();
   command->add_option("--sensor", options->sensor, "Sensor file")->required();
   command->add_option("--at", options->at, "Where base_link stands in map: x,y,yaw [m, m, rad]")->required()->expected(3)->delimiter(',');
   command->add_option("--floor", options->floor, "Height of base_link in map [m]")->capture_default_str();
@@ -53,7 +53,7 @@ void add_scan(CLI::App& app, Work& work) {
   command->add_option("--seed", options->seed, "Seed of the range noise")->capture_default_str();
   command->add_flag("--noise-free", options->noise_free, "Exact ranges");
   command->add_option("-o,--output", options->output, "FILE.pcd, organized: a row a ring")->required();
-  add_world_options(*command, options->reading);
+  add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"
       "  alignability scan --scene maps/warehouse/warehouse.sdf --sensor maps/sensors/hdl32e.yaml --at 5,20,0 -o scan.pcd\n"

@@ -15,23 +15,48 @@ SdfGeometry geometry_named(const std::string& name) {
   throw CLI::ValidationError("--geometry", "must be visual or collision, not " + name + did_you_mean(name, names));
 }
 
+UpAxis up_axis_named(const std::string& name) {
+  if (name == "x") return UpAxis::x;
+  if (name == "y") return UpAxis::y;
+  if (name == "z") return UpAxis::z;
+  throw CLI::ValidationError("--up", "must be x, y or z, not " + name);
+}
+
 }  // namespace
 
-void add_world_options(CLI::App& command, WorldOptions& options) {
-  command.add_option("--model-path", options.model_paths, "Folder to look for models in; may be given more than once")
+void add_site_options(CLI::App& command, SiteOptions& options) {
+  command.add_option("--model-path", options.world.model_paths, "Folder to look for models in; may be given more than once")
       ->check(CLI::ExistingDirectory)
       ->option_text("FOLDER");
   command
       .add_option_function<std::string>(
-          "--geometry", [&options](const std::string& name) { options.geometry = geometry_named(name); },
+          "--geometry", [&options](const std::string& name) { options.world.geometry = geometry_named(name); },
           "Which geometry of a world: collision (default) or visual")
       ->option_text("visual|collision");
+  command.add_option("--unit", options.unit, "Metres a unit of a mesh or cloud, in place of what its file says (1 where it says nothing)")
+      ->check(CLI::PositiveNumber);
+  command
+      .add_option_function<std::string>(
+          "--up", [&options](const std::string& name) { options.up_axis = up_axis_named(name); },
+          "Axis of a mesh or cloud that points up, in place of what its file says (z where it says nothing)")
+      ->option_text("x|y|z");
+  command.add_option("--thin", options.discs.thinning, "Side of the cubes [m] of which each keeps one point of a cloud")
+      ->check(CLI::PositiveNumber);
 }
 
-std::vector<TriangleMesh> read_meshes(const std::filesystem::path& world, const WorldOptions& options) {
-  World read = read_site(world, options);
-  for (const std::string& warning : read.warnings) std::cerr << "warning: " << warning << '\n';
-  return std::move(read.meshes);
+Site read_site_telling(const std::filesystem::path& file, const SiteOptions& options) {
+  Site site = read_site(file, options);
+  for (const std::string& warning : site.warnings) std::cerr << "warning: " << warning << '\n';
+  if (!site.discs.empty()) {
+    std::cerr << file.string() << ": " << site.discs.size() << " points, on each a disc, of " << median_radius(site.discs)
+              << " m radius in the median\n";
+  }
+  return site;
+}
+
+Scene read_scene(const std::filesystem::path& file, const SiteOptions& options) {
+  Site site = read_site_telling(file, options);
+  return Scene(std::move(site.meshes), std::move(site.discs));
 }
 
 }  // namespace alignability::cli

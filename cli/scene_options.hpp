@@ -3,16 +3,22 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
-#include <vector>
 
-#include "lidar/sdf_world.hpp"
+#include "lidar/scene.hpp"
+#include "lidar/site.hpp"
 
 namespace alignability::cli {
 
-/// How a world is read, for every command that reads one.
-void add_world_options(CLI::App& command, WorldOptions& options);
+/// What a site may be, as the help of every command that reads one says.
+inline constexpr const char* kSiteHelp = "SDF world or model, mesh, or point cloud";
 
-/// Reads a world and tells its warnings on stderr.
-std::vector<TriangleMesh> read_meshes(const std::filesystem::path& world, const WorldOptions& options);
+/// How a site is read, for every command that reads one.
+void add_site_options(CLI::App& command, SiteOptions& options);
+
+/// Reads a site and tells on stderr its warnings and how dense a cloud is.
+Site read_site_telling(const std::filesystem::path& file, const SiteOptions& options);
+
+/// Likewise, to trace rays in.
+Scene read_scene(const std::filesystem::path& file, const SiteOptions& options);
 
 }  // namespace alignability::cli

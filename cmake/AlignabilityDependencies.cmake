@@ -19,7 +19,7 @@ set(alignability_planner_public "Boost 1.74 CONFIG" AlignabilityOmpl)
 set(alignability_planner_private nlohmann_json yaml-cpp)
 
 set(alignability_lidar_beneath core)
-set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat12 assimp)
+set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat12 assimp nlohmann_json AlignabilityPcl)
 
 set(alignability_alignability_beneath costmap lidar)
 set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)

@@ -18,6 +18,7 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "lidar/collada_check.hpp"
+#include "lidar/gltf_check.hpp"
 #include "lidar/ply_file.hpp"
 
 namespace alignability {
@@ -63,6 +64,7 @@ void check_file(const std::filesystem::path& file) {
   const std::string extension = lower_extension(file);
   if (extension == ".ply") detail::check_ply_header(read_file(file, kLargestFile), file);
   if (extension == ".dae") detail::check_collada(read_file(file, kLargestFile), file);
+  if (extension == ".gltf" || extension == ".glb") detail::check_gltf(read_file(file, kLargestFile), file);
   if (extension == ".stl") check_stl(read_file(file, kLargestFile), file);
 }
 
@@ -119,14 +121,6 @@ Eigen::Affine3d to_eigen(const aiMatrix4x4& matrix) {
   return result;
 }
 
-// COLLADA 1.4.1, up_axis: what points right, up and towards the viewer.
-Eigen::Affine3d to_z_up(UpAxis up) {
-  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
-  if (up == UpAxis::x) rotation << 0, -1, 0, 0, 0, -1, 1, 0, 0;
-  if (up == UpAxis::y) rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
-  return Eigen::Affine3d(rotation);
-}
-
 // From the importer's root frame to ours. Of COLLADA it has turned y up, unless told not to, and has put the file's unit into the root
 // node.
 Eigen::Affine3d root_correction(const aiScene& scene, const std::string& extension, const MeshOptions& options) {
@@ -134,7 +128,7 @@ Eigen::Affine3d root_correction(const aiScene& scene, const std::string& extensi
   const UpAxis up = options.up_axis.value_or(y_is_up ? UpAxis::y : UpAxis::z);
   double scale = options.unit.value_or(1.0);
   if (options.unit && extension == ".dae") scale /= std::cbrt(to_eigen(scene.mRootNode->mTransformation).linear().determinant());
-  return to_z_up(up) * Eigen::Scaling(scale);
+  return Eigen::Affine3d(scale * to_z_up(up));
 }
 
 // Gathers the triangles of a tree of nodes.
@@ -185,6 +179,14 @@ class Collector {
 };
 
 }  // namespace
+
+// COLLADA 1.4.1, up_axis: what points right, up and towards the viewer.
+Eigen::Matrix3d to_z_up(UpAxis up) {
+  Eigen::Matrix3d rotation = Eigen::Matrix3d::Identity();
+  if (up == UpAxis::x) rotation << 0, -1, 0, 0, 0, -1, 1, 0, 0;
+  if (up == UpAxis::y) rotation << 1, 0, 0, 0, 0, -1, 0, 1, 0;
+  return rotation;
+}
 
 bool is_mesh_file(const std::filesystem::path& file) {
   static constexpr std::array kExtensions{".dae", ".stl", ".obj", ".ply", ".gltf", ".glb"};

@@ -13,6 +13,9 @@ namespace alignability {
 /// The axis of a file's coordinates that becomes z of `map`.
 enum class UpAxis { x, y, z };
 
+/// Turns coordinates whose `up` points up so that z does.
+Eigen::Matrix3d to_z_up(UpAxis up);
+
 struct MeshOptions {
   /// Metres a unit of the file; by default what the file says (COLLADA's `unit`), and metres where it says nothing.
   std::optional<double> unit;

@@ -4,7 +4,6 @@
 #include <algorithm>
 #include <array>
 #include <cstdint>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -127,24 +126,24 @@ PointTable table_of(const Header& header, const std::filesystem::path& file) {
   table.rows = header.width * header.height;
   table.begin = header.begin;
   table.first_line = header.lines + 1;
-  std::array<bool, 3> found{};
+  static const std::array<std::string, 6> kNames{"x", "y", "z", "normal_x", "normal_y", "normal_z"};
+  CoordinateColumns columns(kNames);
   for (const Field& field : header.fields) {
     // PCL writes its padding, named "_", into binary files and leaves it out of compressed ones.
     if (field.name == "_" && header.encoding == Encoding::compressed) continue;
-    for (int axis = 0; axis < 3; ++axis) {
-      if (field.name != std::string(1, "xyz"[axis])) continue;
+    if (columns.has(field.name)) {
       if (field.type != 'F' || (field.size != 4 && field.size != 8) || field.count != 1) {
         throw InputError(file, "field '" + field.name + "' must be one F of size 4 or 8");
       }
-      if (std::exchange(found[axis], true)) throw InputError(file, "field '" + field.name + "' is given twice");
       const auto type = field.size == 4 ? Coordinate::Type::float32 : Coordinate::Type::float64;
-      table.xyz[axis] = {.type = type, .byte = table.row_bytes, .value = table.row_values};
+      const bool first = columns.put(field.name, {.type = type, .byte = table.row_bytes, .value = table.row_values});
+      if (!first) throw InputError(file, "field '" + field.name + "' is given twice");
     }
     table.row_bytes += field.bytes();
     table.row_values += field.count;
     if (table.row_bytes > kMostRowBytes) throw InputError(file, "a point has more than " + std::to_string(kMostRowBytes) + " bytes");
   }
-  if (!std::ranges::all_of(found, std::identity{})) throw InputError(file, "has no fields x, y and z");
+  if (!columns.finish(table)) throw InputError(file, "has no fields x, y and z");
   return table;
 }
 
@@ -198,7 +197,7 @@ std::string unpacked(const PointTable& table, std::string_view bytes) {
   return *std::move(result);
 }
 
-std::vector<Eigen::Vector3f> decode(const PointTable& table, Encoding encoding, std::string_view bytes) {
+PointCloud decode(const PointTable& table, Encoding encoding, std::string_view bytes) {
   if (encoding == Encoding::ascii) return decode_ascii(table, bytes, Remainder::none);
   if (encoding == Encoding::binary) return decode_binary(table, bytes, std::endian::little);
   return decode_columns(table, unpacked(table, bytes));
@@ -206,9 +205,9 @@ std::vector<Eigen::Vector3f> decode(const PointTable& table, Encoding encoding, 
 
 }  // namespace
 
-Scan parse_pcd(std::string_view bytes, const std::filesystem::path& file) {
+OrderedCloud parse_pcd(std::string_view bytes, const std::filesystem::path& file) {
   const Header header = HeaderReader(bytes, file).read();
-  return {.points = decode(table_of(header, file), header.encoding, bytes),
+  return {.cloud = decode(table_of(header, file), header.encoding, bytes),
           .rings = static_cast<int>(header.height),
           .columns = static_cast<int>(header.width)};
 }

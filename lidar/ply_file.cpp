@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <array>
-#include <functional>
 #include <map>
 #include <optional>
 #include <string>
@@ -29,6 +28,8 @@ std::size_t size_of(const std::string& type, const HeaderLines& lines) {
   lines.fail("'" + type + "' is no type of a PLY file" + did_you_mean(type, names));
 }
 
+const std::array<std::string, 6> kNames{"x", "y", "z", "nx", "ny", "nz"};
+
 class HeaderReader {
  public:
   HeaderReader(std::string_view bytes, const std::filesystem::path& file, std::size_t most_rows)
@@ -40,12 +41,14 @@ class HeaderReader {
     if (lines_.next() != std::vector<std::string>{"ply"}) lines_.fail("a PLY file begins with a line 'ply'");
     for (std::vector<std::string> words = lines_.next(); words.empty() || words[0] != "end_header"; words = lines_.next()) read_line(words);
     if (!format_) lines_.fail("the header has no 'format'");
-    if (!std::ranges::all_of(found_, std::identity{})) lines_.fail("the header has no element 'vertex' with properties x, y and z");
+    if (!columns_.finish(table_)) lines_.fail("the header has no element 'vertex' with properties x, y and z");
     if (table_.rows == 0) lines_.fail("holds no points");
     table_.begin = lines_.position();
     table_.first_line = lines_.line() + 1;
     return {table_, *format_};
   }
+
+  bool declares_faces() const { return faces_; }
 
  private:
   enum class Element { none, vertex, later };
@@ -79,6 +82,7 @@ class HeaderReader {
     } else {
       if (element_ == Element::none) lines_.fail("'vertex' must be the first element");
       element_ = Element::later;
+      faces_ = faces_ || (rows > 0 && (name == "face" || name == "tristrips"));
     }
   }
 
@@ -87,13 +91,12 @@ class HeaderReader {
     if (element_ == Element::later) return;
     if (words.size() != 3) lines_.fail("a vertex with a list is not supported");
     const std::size_t size = size_of(words[1], lines_);
-    for (int axis = 0; axis < 3; ++axis) {
-      if (words[2] != std::string(1, "xyz"[axis])) continue;
+    if (columns_.has(words[2])) {
       const bool real = words[1].starts_with("float") || words[1] == "double";
       if (!real) lines_.fail("'" + words[2] + "' must be a float or a double");
-      if (std::exchange(found_[axis], true)) lines_.fail("'" + words[2] + "' is given twice");
       const auto type = size == 4 ? Coordinate::Type::float32 : Coordinate::Type::float64;
-      table_.xyz[axis] = {.type = type, .byte = table_.row_bytes, .value = table_.row_values};
+      const bool first = columns_.put(words[2], {.type = type, .byte = table_.row_bytes, .value = table_.row_values});
+      if (!first) lines_.fail("'" + words[2] + "' is given twice");
     }
     table_.row_bytes += size;
     table_.row_values += 1;
@@ -105,19 +108,26 @@ class HeaderReader {
   PointTable table_;
   std::optional<Format> format_;
   Element element_ = Element::none;
-  std::array<bool, 3> found_{};
+  CoordinateColumns columns_{kNames};
+  bool faces_ = false;
 };
 
-std::vector<Eigen::Vector3f> decode(const PointTable& table, Format format, std::string_view bytes) {
+PointCloud decode(const PointTable& table, Format format, std::string_view bytes) {
   if (format == Format::ascii) return decode_ascii(table, bytes, Remainder::anything);
   return decode_binary(table, bytes, format == Format::little_endian ? std::endian::little : std::endian::big);
 }
 
 }  // namespace
 
-Scan parse_ply(std::string_view bytes, const std::filesystem::path& file) {
+PointCloud parse_ply(std::string_view bytes, const std::filesystem::path& file) {
   const auto [table, format] = HeaderReader(bytes, file, kMostPoints).read();
-  return {.points = decode(table, format, bytes), .rings = 1, .columns = static_cast<int>(table.rows)};
+  return decode(table, format, bytes);
+}
+
+bool declares_faces(std::string_view bytes, const std::filesystem::path& file) {
+  HeaderReader header(bytes, file, kMostPoints);
+  header.read();
+  return header.declares_faces();
 }
 
 void check_ply_header(std::string_view bytes, const std::filesystem::path& file) { HeaderReader(bytes, file, bytes.size()).read(); }

@@ -7,6 +7,7 @@
 #include <cstdint>
 #include <cstring>
 #include <limits>
+#include <utility>
 
 #include "core/input_error.hpp"
 
@@ -58,69 +59,108 @@ bool parse(std::string_view word, double& value) {
   return error == std::errc{} || error == std::errc::result_out_of_range;
 }
 
-Eigen::Vector3f parse_row(const PointTable& table, std::string_view line, int line_number) {
-  const std::vector<std::string_view> words = split(line);
-  if (words.size() != table.row_values) {
+Eigen::Vector3f binary_vector(const char* row, const std::array<Coordinate, 3>& columns, std::endian order) {
+  Eigen::Vector3f vector;
+  for (int axis = 0; axis < 3; ++axis) vector[axis] = load(row + columns[axis].byte, columns[axis].type, order);
+  return finite_or_nan(vector);
+}
+
+// The words of a row of numbers.
+class AsciiRow {
+ public:
+  AsciiRow(const PointTable& table, std::string_view line, int line_number) : table_(table), words_(split(line)), line_(line_number) {
+    if (words_.size() == table.row_values) return;
     throw InputError(table.file, {line_number, 0},
-                     "expected " + std::to_string(table.row_values) + " values, not " + std::to_string(words.size()));
+                     "expected " + std::to_string(table.row_values) + " values, not " + std::to_string(words_.size()));
   }
-  Eigen::Vector3f point;
-  for (int i = 0; i < 3; ++i) {
-    const std::string_view word = words[table.xyz[i].value];
-    double value = 0.0;
-    if (!parse(word, value)) throw InputError(table.file, {line_number, 0}, "'" + std::string(word) + "' is not a number");
-    point[i] = static_cast<float>(value);
+
+  Eigen::Vector3f vector(const std::array<Coordinate, 3>& columns) const {
+    Eigen::Vector3f vector;
+    for (int axis = 0; axis < 3; ++axis) {
+      const std::string_view word = words_[columns[axis].value];
+      double value = 0.0;
+      if (!parse(word, value)) throw InputError(table_.file, {line_, 0}, "'" + std::string(word) + "' is not a number");
+      vector[axis] = static_cast<float>(value);
+    }
+    return finite_or_nan(vector);
   }
-  return finite_or_nan(point);
+
+ private:
+  const PointTable& table_;
+  std::vector<std::string_view> words_;
+  int line_;
+};
+
+std::vector<Eigen::Vector3f> column_vectors(const std::array<Coordinate, 3>& columns, std::size_t rows, std::string_view bytes) {
+  std::vector<Eigen::Vector3f> vectors(rows);
+  for (int axis = 0; axis < 3; ++axis) {
+    const Coordinate& coordinate = columns[axis];
+    const std::size_t size = coordinate.type == Coordinate::Type::float32 ? 4 : 8;
+    const char* column = bytes.data() + rows * coordinate.byte;
+    for (std::size_t i = 0; i < rows; ++i) vectors[i][axis] = load(column + i * size, coordinate.type, std::endian::little);
+  }
+  for (Eigen::Vector3f& vector : vectors) vector = finite_or_nan(vector);
+  return vectors;
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> decode_binary(const PointTable& table, std::string_view bytes, std::endian order) {
+PointCloud decode_binary(const PointTable& table, std::string_view bytes, std::endian order) {
   const std::size_t available = bytes.size() - std::min(bytes.size(), table.begin);
   if (available / table.row_bytes < table.rows) {
     throw InputError(table.file, "ends early: " + std::to_string(table.rows) + " points of " + std::to_string(table.row_bytes) +
                                      " bytes are declared, " + std::to_string(available) + " bytes are there");
   }
-  std::vector<Eigen::Vector3f> points;
-  points.reserve(table.rows);
+  PointCloud cloud;
+  cloud.points.reserve(table.rows);
   const char* row = bytes.data() + table.begin;
   for (std::size_t i = 0; i < table.rows; ++i, row += table.row_bytes) {
-    Eigen::Vector3f point;
-    for (int axis = 0; axis < 3; ++axis) point[axis] = load(row + table.xyz[axis].byte, table.xyz[axis].type, order);
-    points.push_back(finite_or_nan(point));
+    cloud.points.push_back(binary_vector(row, table.xyz, order));
+    if (table.normal) cloud.normals.push_back(binary_vector(row, *table.normal, order));
   }
-  return points;
+  return cloud;
 }
 
-std::vector<Eigen::Vector3f> decode_ascii(const PointTable& table, std::string_view bytes, Remainder remainder) {
+PointCloud decode_ascii(const PointTable& table, std::string_view bytes, Remainder remainder) {
   std::size_t position = table.begin;
   int line_number = table.first_line - 1;
-  std::vector<Eigen::Vector3f> points;
-  while (position < bytes.size() && (points.size() < table.rows || remainder == Remainder::none)) {
+  PointCloud cloud;
+  while (position < bytes.size() && (cloud.points.size() < table.rows || remainder == Remainder::none)) {
     const std::string_view line = take_line(bytes, position);
     ++line_number;
     if (line.find_first_not_of(kBlanks) == std::string_view::npos) continue;
-    if (points.size() == table.rows) throw InputError(table.file, {line_number, 0}, "more points than declared");
-    points.push_back(parse_row(table, line, line_number));
+    if (cloud.points.size() == table.rows) throw InputError(table.file, {line_number, 0}, "more points than declared");
+    const AsciiRow row(table, line, line_number);
+    cloud.points.push_back(row.vector(table.xyz));
+    if (table.normal) cloud.normals.push_back(row.vector(*table.normal));
   }
-  if (points.size() < table.rows) {
-    throw InputError(table.file,
-                     "ends early: " + std::to_string(table.rows) + " points are declared, " + std::to_string(points.size()) + " are there");
+  if (cloud.points.size() < table.rows) {
+    throw InputError(table.file, "ends early: " + std::to_string(table.rows) + " points are declared, " +
+                                     std::to_string(cloud.points.size()) + " are there");
   }
-  return points;
+  return cloud;
 }
 
-std::vector<Eigen::Vector3f> decode_columns(const PointTable& table, std::string_view bytes) {
-  std::vector<Eigen::Vector3f> points(table.rows);
-  for (int axis = 0; axis < 3; ++axis) {
-    const Coordinate& coordinate = table.xyz[axis];
-    const std::size_t size = coordinate.type == Coordinate::Type::float32 ? 4 : 8;
-    const char* column = bytes.data() + table.rows * coordinate.byte;
-    for (std::size_t i = 0; i < table.rows; ++i) points[i][axis] = load(column + i * size, coordinate.type, std::endian::little);
-  }
-  for (Eigen::Vector3f& point : points) point = finite_or_nan(point);
-  return points;
+PointCloud decode_columns(const PointTable& table, std::string_view bytes) {
+  PointCloud cloud{.points = column_vectors(table.xyz, table.rows, bytes), .normals = {}};
+  if (table.normal) cloud.normals = column_vectors(*table.normal, table.rows, bytes);
+  return cloud;
+}
+
+bool CoordinateColumns::put(const std::string& name, const Coordinate& coordinate) {
+  const auto index = static_cast<std::size_t>(std::ranges::find(names_, name) - names_.begin());
+  return !std::exchange(found_[index], coordinate).has_value();
+}
+
+bool CoordinateColumns::finish(PointTable& table) const {
+  const auto three = [&](std::size_t first) -> std::optional<std::array<Coordinate, 3>> {
+    if (!found_[first] || !found_[first + 1] || !found_[first + 2]) return std::nullopt;
+    return std::array{*found_[first], *found_[first + 1], *found_[first + 2]};
+  };
+  const auto xyz = three(0);
+  if (xyz) table.xyz = *xyz;
+  table.normal = three(3);
+  return xyz.has_value();
 }
 
 std::vector<std::string> HeaderLines::next() {

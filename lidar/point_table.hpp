@@ -2,13 +2,17 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <cstddef>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
+
+#include "lidar/point_cloud.hpp"
 
 namespace alignability::detail {
 
@@ -28,6 +32,8 @@ struct PointTable {
   std::size_t row_bytes = 0;
   std::size_t row_values = 0;
   std::array<Coordinate, 3> xyz;
+  /// Nothing where the file has none, or not all three.
+  std::optional<std::array<Coordinate, 3>> normal;
   /// Where the rows begin in the file, and on which line, counted from 1.
   std::size_t begin = 0;
   int first_line = 1;
@@ -36,12 +42,30 @@ struct PointTable {
 /// What follows a table's last row: nothing but blank lines, or something else that is ignored.
 enum class Remainder { none, anything };
 
-/// A point with a coordinate that is not a finite float is NaN in all three. Throws InputError when there are fewer rows than declared.
-std::vector<Eigen::Vector3f> decode_binary(const PointTable& table, std::string_view bytes, std::endian order);
-std::vector<Eigen::Vector3f> decode_ascii(const PointTable& table, std::string_view bytes, Remainder remainder);
+/// A point, or normal, with a coordinate that is not a finite float is NaN in all three. Throws InputError when there are fewer rows than
+/// declared.
+PointCloud decode_binary(const PointTable& table, std::string_view bytes, std::endian order);
+PointCloud decode_ascii(const PointTable& table, std::string_view bytes, Remainder remainder);
 /// Of bytes in which not the rows but the columns follow one another, as in a compressed PCD. `xyz[i].byte` says where in a row a column
-/// would stand, and so that column i begins at `rows * xyz[i].byte`.
-std::vector<Eigen::Vector3f> decode_columns(const PointTable& table, std::string_view bytes);
+/// would stand, and so that column i begins at `rows * xyz[i].byte`; so does `normal`.
+PointCloud decode_columns(const PointTable& table, std::string_view bytes);
+
+/// Gathers where a table's coordinates stand, column by column as a header declares them.
+class CoordinateColumns {
+ public:
+  /// The names of x, y, z and of the normal's.
+  explicit CoordinateColumns(const std::array<std::string, 6>& names) : names_(names) {}
+
+  bool has(const std::string& name) const { return std::ranges::find(names_, name) != names_.end(); }
+  /// False where the name, one of them, was there before.
+  bool put(const std::string& name, const Coordinate& coordinate);
+  /// Into a table; false when x, y or z is missing.
+  bool finish(PointTable& table) const;
+
+ private:
+  const std::array<std::string, 6>& names_;
+  std::array<std::optional<Coordinate>, 6> found_;
+};
 
 /// A header's lines, one after the other.
 class HeaderLines {

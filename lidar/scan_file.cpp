@@ -8,6 +8,7 @@
 
 #include "core/file.hpp"
 #include "core/input_error.hpp"
+#include "lidar/bin_file.hpp"
 #include "lidar/pcd_file.hpp"
 #include "lidar/ply_file.hpp"
 
@@ -24,14 +25,39 @@ std::string_view first_word(std::string_view bytes) {
   return bytes.substr(0, bytes.find_first_of(" \t\r\n"));
 }
 
+bool is_ply(std::string_view bytes) { return first_word(bytes) == "ply"; }
+
+bool is_pcd(std::string_view bytes) {
+  const std::string_view word = first_word(bytes);
+  return word == "VERSION" || word == "FIELDS";
+}
+
+detail::OrderedCloud read(const std::filesystem::path& file) {
+  const std::string bytes = read_file(file, kLargestFile);
+  if (is_pcd(bytes)) return detail::parse_pcd(bytes, file);
+  detail::OrderedCloud read;
+  if (is_ply(bytes)) {
+    read.cloud = detail::parse_ply(bytes, file);
+  } else if (detail::is_bin_file(file)) {
+    read.cloud.points = detail::parse_bin(bytes, file);
+  } else {
+    throw InputError(file, "is neither a PCD nor a PLY file, nor has it the extension .bin");
+  }
+  read.columns = static_cast<int>(read.cloud.points.size());
+  return read;
+}
+
 }  // namespace
 
 Scan read_scan_file(const std::filesystem::path& file) {
-  const std::string bytes = read_file(file, kLargestFile);
-  const std::string_view word = first_word(bytes);
-  if (word == "ply") return detail::parse_ply(bytes, file);
-  if (word == "VERSION" || word == "FIELDS") return detail::parse_pcd(bytes, file);
-  throw InputError(file, "is neither a PCD nor a PLY file");
+  detail::OrderedCloud ordered = read(file);
+  return {.points = std::move(ordered.cloud.points), .rings = ordered.rings, .columns = ordered.columns};
+}
+
+PointCloud read_cloud_file(const std::filesystem::path& file) { return read(file).cloud; }
+
+bool is_cloud_file(std::string_view head, const std::filesystem::path& file) {
+  return is_pcd(head) || (is_ply(head) && !detail::declares_faces(head, file)) || detail::is_bin_file(file);
 }
 
 void write_pcd(const Scan& scan, const std::filesystem::path& file) {

@@ -45,6 +45,17 @@ void check_vertices(const TriangleMesh& mesh) {
   }
 }
 
+void check_discs(const DiscCloud& discs) {
+  if (discs.normals.size() != discs.size() || discs.radii.size() != discs.size()) {
+    throw std::invalid_argument("a disc has a center, a normal and a radius");
+  }
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    if (!discs.centers[i].allFinite() || !discs.normals[i].allFinite() || !(discs.radii[i] >= 0.0f) || !std::isfinite(discs.radii[i])) {
+      throw std::invalid_argument("disc " + std::to_string(i) + ", counted from 0, is not finite");
+    }
+  }
+}
+
 // Copies the triangles, as Embree wants a padded buffer of its own.
 void attach(RTCDevice device, RTCScene scene, const TriangleMesh& mesh) {
   const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE));
@@ -62,12 +73,53 @@ void attach(RTCDevice device, RTCScene scene, const TriangleMesh& mesh) {
   check(device);
 }
 
-// The geometry with the number i is meshes[i].
-EmbreeScene build(RTCDevice device, const std::vector<TriangleMesh>& meshes) {
+void attach(RTCDevice device, RTCScene scene, const DiscCloud& discs) {
+  const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_ORIENTED_DISC_POINT));
+  void* spheres = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT4, 4 * sizeof(float), discs.size());
+  void* normals = rtcSetNewGeometryBuffer(geometry.get(), RTC_BUFFER_TYPE_NORMAL, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), discs.size());
+  check(device);
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const Eigen::Vector3f& center = discs.centers[i];
+    static_cast<std::array<float, 4>*>(spheres)[i] = {center.x(), center.y(), center.z(), discs.radii[i]};
+  }
+  std::ranges::copy(discs.normals, static_cast<Eigen::Vector3f*>(normals));
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene, geometry.get());
+  check(device);
+}
+
+// The boxes of discs: point queries pass over Embree's own point geometry.
+EmbreeScene build_boxes(RTCDevice device, const DiscCloud& discs) {
+  EmbreeScene scene(rtcNewScene(device));
+  const Geometry geometry(rtcNewGeometry(device, RTC_GEOMETRY_TYPE_USER));
+  rtcSetGeometryUserPrimitiveCount(geometry.get(), static_cast<unsigned>(discs.size()));
+  rtcSetGeometryUserData(geometry.get(), const_cast<DiscCloud*>(&discs));
+  const auto box_of = [](const RTCBoundsFunctionArguments* wanted) {
+    const Eigen::AlignedBox3f box = bounds(*static_cast<const DiscCloud*>(wanted->geometryUserPtr), wanted->primID);
+    RTCBounds& into = *wanted->bounds_o;
+    into.lower_x = box.min().x();
+    into.lower_y = box.min().y();
+    into.lower_z = box.min().z();
+    into.upper_x = box.max().x();
+    into.upper_y = box.max().y();
+    into.upper_z = box.max().z();
+  };
+  rtcSetGeometryBoundsFunction(geometry.get(), box_of, nullptr);
+  rtcCommitGeometry(geometry.get());
+  rtcAttachGeometry(scene.get(), geometry.get());
+  check(device);
+  rtcCommitScene(scene.get());
+  check(device);
+  return scene;
+}
+
+// The geometry with the number i is meshes[i]; the discs, where there are any, come last.
+EmbreeScene build(RTCDevice device, const std::vector<TriangleMesh>& meshes, const DiscCloud& discs) {
   EmbreeScene scene(rtcNewScene(device));
   check(device);
   rtcSetSceneFlags(scene.get(), RTC_SCENE_FLAG_ROBUST);
   for (const TriangleMesh& mesh : meshes) attach(device, scene.get(), mesh);
+  if (!discs.empty()) attach(device, scene.get(), discs);
   // Embree builds with denormals flushed to zero. Were its commit this thread's first use of TBB, all tasks that the thread
   // starts later would run so too.
   tbb::parallel_for(0, 1, [](int) {});
@@ -149,54 +201,63 @@ Eigen::Vector3f closest_point(const Corners& triangle, const Eigen::Vector3f& po
   return a + vb / sum * ab + vc / sum * ac;
 }
 
-// Calls visit(triangle) for at least every triangle nearer to the point than `radius`.
+float distance(const Eigen::Vector3f& center, const Eigen::Vector3f& normal, float radius, const Eigen::Vector3f& point) {
+  const Eigen::Vector3f offset = point - center;
+  const float across = normal.dot(offset);
+  const float beyond_rim = std::max(0.0f, (offset - across * normal).norm() - radius);
+  return std::hypot(across, beyond_rim);
+}
+
+// Calls visit(geometry, primitive) for at least every one nearer to the point than `radius`.
 template <typename Visit>
-void visit_triangles_near(RTCScene scene, const std::vector<TriangleMesh>& meshes, const Eigen::Vector3f& point, float radius,
-                          Visit visit) {
-  struct Visitor {
-    const std::vector<TriangleMesh>& meshes;
-    Visit& visit;
-  } visitor{meshes, visit};
+void visit_near(RTCScene scene, const Eigen::Vector3f& point, float radius, Visit visit) {
   RTCPointQuery query{.x = point.x(), .y = point.y(), .z = point.z(), .time = 0.0f, .radius = radius};
   RTCPointQueryContext context;
   rtcInitPointQueryContext(&context);
   const auto call = [](RTCPointQueryFunctionArguments* found) {
-    auto& self = *static_cast<Visitor*>(found->userPtr);
-    self.visit(corners_of(self.meshes[found->geomID], found->primID));
+    (*static_cast<Visit*>(found->userPtr))(found->geomID, found->primID);
     return false;
   };
-  rtcPointQuery(scene, &query, &context, call, &visitor);
+  rtcPointQuery(scene, &query, &context, call, &visit);
 }
 
 }  // namespace
 
 struct Scene::Data {
   std::vector<TriangleMesh> meshes;
+  DiscCloud discs;
   std::vector<TriangleMesh> solids;
   Eigen::AlignedBox3f bounds;
   Device device;
   EmbreeScene surfaces;
   EmbreeScene footprints;  // of the solids, in the plane z = 0
+  EmbreeScene disc_boxes;
 };
 
-Scene::Scene(std::vector<TriangleMesh> meshes) {
+Scene::Scene(std::vector<TriangleMesh> meshes, DiscCloud discs) {
   auto data = std::make_shared<Data>();
   data->meshes = std::move(meshes);
+  data->discs = std::move(discs);
+  check_discs(data->discs);
   for (const TriangleMesh& mesh : data->meshes) {
     check_vertices(mesh);
     for (const auto& triangle : mesh.triangles) {
       for (const std::uint32_t vertex : triangle) data->bounds.extend(mesh.vertices[vertex]);
     }
   }
+  data->bounds.extend(alignability::bounds(data->discs));
   data->solids = closed_parts(data->meshes);
   data->device.reset(rtcNewDevice(nullptr));
   check(data->device.get());
-  data->surfaces = build(data->device.get(), data->meshes);
-  data->footprints = build(data->device.get(), flattened(data->solids));
+  data->surfaces = build(data->device.get(), data->meshes, data->discs);
+  data->footprints = build(data->device.get(), flattened(data->solids), {});
+  data->disc_boxes = build_boxes(data->device.get(), data->discs);
   data_ = std::move(data);
 }
 
 const std::vector<TriangleMesh>& Scene::meshes() const { return data_->meshes; }
+
+const DiscCloud& Scene::discs() const { return data_->discs; }
 
 Eigen::AlignedBox3f Scene::bounds() const { return data_->bounds; }
 
@@ -237,16 +298,22 @@ std::vector<float> Scene::cast(const Eigen::Vector3f& origin, std::span<const Ei
 
 bool Scene::is_free(const Eigen::Vector3f& point, float clearance) const {
   bool touched = false;
-  visit_triangles_near(data_->surfaces.get(), data_->meshes, point, clearance, [&](const Corners& triangle) {
-    touched = touched || (closest_point(triangle, point) - point).squaredNorm() < clearance * clearance;
+  visit_near(data_->surfaces.get(), point, clearance, [&](unsigned geometry, unsigned primitive) {
+    if (geometry >= data_->meshes.size()) return;
+    touched = touched || (closest_point(corners_of(data_->meshes[geometry], primitive), point) - point).norm() < clearance;
+  });
+  const DiscCloud& discs = data_->discs;
+  visit_near(data_->disc_boxes.get(), point, clearance, [&](unsigned, unsigned i) {
+    touched = touched || distance(discs.centers[i], discs.normals[i], discs.radii[i], point) < clearance;
   });
   if (touched) return false;
 
   int crossings = 0;
   const Eigen::Vector3f foot(point.x(), point.y(), 0.0f);
   // What is within any distance of the foot includes all that lies above and below it.
-  visit_triangles_near(data_->footprints.get(), data_->solids, foot, 0.0f,
-                       [&](const Corners& triangle) { crossings += vertical_crossing(triangle, point); });
+  visit_near(data_->footprints.get(), foot, 0.0f, [&](unsigned geometry, unsigned primitive) {
+    crossings += vertical_crossing(corners_of(data_->solids[geometry], primitive), point);
+  });
   return crossings <= 0;
 }
 

@@ -6,6 +6,7 @@
 #include <span>
 #include <vector>
 
+#include "lidar/disc_cloud.hpp"
 #include "lidar/triangle_mesh.hpp"
 
 namespace alignability {
@@ -17,12 +18,13 @@ inline constexpr float kSensorClearance = 0.1f;
 /// called from many threads at once.
 class Scene {
  public:
-  /// Throws `std::invalid_argument` when a triangle names a vertex that is not there or a vertex is not finite, and
-  /// `std::runtime_error` when Embree refuses (out of memory).
-  explicit Scene(std::vector<TriangleMesh> meshes);
+  /// Throws `std::invalid_argument` when a triangle names a vertex that is not there, a vertex or disc is not finite, or a disc lacks its
+  /// normal or radius, and `std::runtime_error` when Embree refuses (out of memory).
+  explicit Scene(std::vector<TriangleMesh> meshes, DiscCloud discs = {});
 
   const std::vector<TriangleMesh>& meshes() const;
-  /// Empty when there are no triangles.
+  const DiscCloud& discs() const;
+  /// Empty when there are no surfaces.
   Eigen::AlignedBox3f bounds() const;
 
   /// Distance [m] from `origin` to the first surface along each unit vector of `directions`, from either side of the surface; NaN where
@@ -30,7 +32,7 @@ class Scene {
   std::vector<float> cast(const Eigen::Vector3f& origin, std::span<const Eigen::Vector3f> directions, float max_range) const;
 
   /// False inside something solid, that is where a vertical ray leaves closed components more often than it enters them, and nearer to a
-  /// surface than `clearance` [m].
+  /// surface than `clearance` [m]. Discs enclose nothing.
   bool is_free(const Eigen::Vector3f& point, float clearance) const;
 
  private:

@@ -373,9 +373,4 @@ class WorldBuilder {
 
 World read_world(const fs::path& file, const WorldOptions& options) { return WorldBuilder(file, options).build(); }
 
-World read_site(const fs::path& file, const WorldOptions& options) {
-  if (is_mesh_file(file)) return World{.meshes = read_mesh_file(file), .warnings = {}};
-  return read_world(file, options);
-}
-
 }  // namespace alignability

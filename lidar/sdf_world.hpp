@@ -31,7 +31,4 @@ struct World {
 /// images) becomes a warning; a missing model or mesh is an InputError at the line that names it.
 World read_world(const std::filesystem::path& file, const WorldOptions& options = {});
 
-/// Reads a site from an SDF file (.sdf, .world) or a mesh file, told apart by extension. Of a mesh file, visual and collision are the same.
-World read_site(const std::filesystem::path& file, const WorldOptions& options = {});
-
 }  // namespace alignability

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 #include <utility>
 
@@ -122,17 +123,46 @@ void add_cut(Slice& slice, const Corners& corners, double height) {
   if (crossings == 2 && edge.from != edge.to) slice.solid_edges.push_back(edge);
 }
 
-}  // namespace
-
-Slice slice(const std::vector<TriangleMesh>& meshes, double z_min, double z_max) {
+void check(double z_min, double z_max) {
   if (!std::isfinite(z_min) || !std::isfinite(z_max) || z_min >= z_max) {
     throw std::invalid_argument("a slice needs finite heights, the lower one first");
   }
+}
+
+// Inscribed in the disc.
+Polygon3 polygon_of(const DiscCloud& discs, std::size_t i) {
+  constexpr int kCorners = 8;
+  const Eigen::Vector3d normal = discs.normals[i].cast<double>();
+  const Eigen::Vector3d across = discs.radii[i] * normal.unitOrthogonal();
+  Polygon3 corners;
+  for (int k = 0; k < kCorners; ++k) {
+    corners.push_back(discs.centers[i].cast<double>() + Eigen::AngleAxisd(2.0 * std::numbers::pi * k / kCorners, normal) * across);
+  }
+  return corners;
+}
+
+}  // namespace
+
+Slice slice(const std::vector<TriangleMesh>& meshes, double z_min, double z_max) {
+  check(z_min, z_max);
   Slice result;
   for (const TriangleMesh& mesh : meshes) {
     for (const auto& triangle : mesh.triangles) add_surface(result, corners_of(mesh, triangle), z_min, z_max);
     const TriangleMesh solid = closed_part(mesh);
     for (const auto& triangle : solid.triangles) add_cut(result, corners_of(solid, triangle), (z_min + z_max) / 2.0);
+  }
+  return result;
+}
+
+Slice slice(const DiscCloud& discs, double z_min, double z_max) {
+  check(z_min, z_max);
+  Slice result;
+  for (std::size_t i = 0; i < discs.size(); ++i) {
+    const Eigen::Vector3d center = discs.centers[i].cast<double>();
+    if (center.z() >= z_min && center.z() <= z_max) result.surfaces.push_back({center.head<2>()});
+    if (center.z() > z_min || std::abs(discs.normals[i].z()) <= kLeastFloorNormal) continue;
+    ConvexPolygon floor = projected(clipped(polygon_of(discs, i), z_min, 1.0));
+    if (floor.size() > 2) result.floors.push_back(std::move(floor));
   }
   return result;
 }

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "core/polygon.hpp"
+#include "lidar/disc_cloud.hpp"
 #include "lidar/triangle_mesh.hpp"
 
 namespace alignability {
@@ -14,5 +15,9 @@ namespace alignability {
 /// start exactly. `floors` are the parts of triangles with z ≤ z_min that are less than 60° steep; each has an area. Throws
 /// std::invalid_argument unless both heights are finite and in this order.
 Slice slice(const std::vector<TriangleMesh>& meshes, double z_min, double z_max);
+
+/// The same of a site that is known by points: `surfaces` are the points with z in [z_min, z_max], `floors` the parts of discs with
+/// z ≤ z_min, their centers too, that are less than 60° steep. Points enclose nothing, so there are no `solid_edges`.
+Slice slice(const DiscCloud& discs, double z_min, double z_max);
 
 }  // namespace alignability

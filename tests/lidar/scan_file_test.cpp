@@ -103,6 +103,50 @@ TEST(ScanFile, ReadsPlyOfEveryFormat) {
   }
 }
 
+TEST(ScanFile, ReadsKittisPoints) {
+  const TemporaryFolder folder;
+  const std::string bytes = bytes_of({1.0f, -2.0f, 3.0f, 0.5f}) + bytes_of({std::nanf(""), 0.0f, 0.0f, 0.0f});
+  const Scan scan = read_scan_file(folder.write("000000.BIN", bytes));
+  ASSERT_EQ(scan.points.size(), 2u);
+  EXPECT_EQ(scan.columns, 2);
+  EXPECT_EQ(scan.points[0], Eigen::Vector3f(1, -2, 3));
+  EXPECT_TRUE(scan.points[1].array().isNaN().all());
+}
+
+TEST(ScanFile, RefusesBinFilesThatHoldNoPoints) {
+  const TemporaryFolder folder;
+  const auto fault = [&](const std::string& bytes) { return fault_of([&] { read_scan_file(folder.write("f.bin", bytes)); }); };
+  const std::string good = bytes_of({1.0f, 2.0f, 3.0f, 0.5f, 4.1f, 5.2f, 6.3f, 0.5f});
+  EXPECT_EQ(fault(good), "");
+  EXPECT_EQ(fault(""), "f.bin: holds no points");
+  EXPECT_EQ(fault(good.substr(0, 31)),
+            "f.bin: is 31 bytes long; x, y, z and intensity of a point take 16, so it is cut short or no Velodyne file");
+  const std::string nowhere = ", counted from 0, lies where no lidar measures: these are no little-endian floats";
+  EXPECT_EQ(fault(bytes_of({1.0f, 2.0f, 3.0f, 0.5f}, std::endian::big)), "f.bin: point 0" + nowhere);
+  EXPECT_EQ(fault(good + std::string("a text of sixty-four bytes, say, that is of a length to be points")).substr(0, 14),
+            "f.bin: is 97 b");
+  EXPECT_EQ(fault(good + "sixteen letters!"), "f.bin: point 2" + nowhere);
+  EXPECT_EQ(fault(bytes_of({1.0f, 2e7f, 3.0f, 0.5f})), "f.bin: point 0" + nowhere);
+}
+
+TEST(ScanFile, ReadsTheNormalsThatPointsComeWith) {
+  const TemporaryFolder folder;
+  const std::vector<Eigen::Vector3f> points{{1, 2, 3}}, normals{{0, 0, 1}};
+  const std::string pcd =
+      "VERSION .7\nFIELDS x y z normal_x normal_y normal_z\nSIZE 4 4 4 4 4 4\nTYPE F F F F F F\nCOUNT 1 1 1 1 1 1\n"
+      "WIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA ";
+  const std::string packed = "\x17" + bytes_of({1.0f, 2.0f, 3.0f, 0.0f, 0.0f, 1.0f});
+  const std::string sizes = bytes_of({static_cast<std::uint32_t>(packed.size()), 24u});
+  const std::string properties = std::string(kFloats) + "property float nx\nproperty float ny\nproperty float nz\n";
+  for (const std::string& bytes : {pcd + "ascii\n1 2 3 0 0 1\n", pcd + "binary\n" + bytes_of({1.0f, 2.0f, 3.0f, 0.0f, 0.0f, 1.0f}),
+                                   pcd + "binary_compressed\n" + sizes + packed, ply_header("ascii", "1", properties) + "1 2 3 0 0 1\n"}) {
+    const PointCloud cloud = read_cloud_file(folder.write("f", bytes));
+    EXPECT_EQ(cloud.points, points);
+    EXPECT_EQ(cloud.normals, normals);
+  }
+  EXPECT_TRUE(read_cloud_file(folder.write("f", pcd_header("ascii", 1) + "1 2 3\n")).normals.empty());
+}
+
 struct Malformed {
   const char* what;
   std::string bytes;
@@ -126,9 +170,9 @@ const std::string kPacked = pcd_header("binary_compressed", 2);
 INSTANTIATE_TEST_SUITE_P(
     Table, MalformedScanFile,
     testing::Values(
-        Malformed{"Empty", "", "f: is neither a PCD nor a PLY file"},
-        Malformed{"Text", "hello world\n", "f: is neither a PCD nor a PLY file"},
-        Malformed{"OnlyComments", "# a\n# b", "f: is neither a PCD nor a PLY file"},
+        Malformed{"Empty", "", "f: is neither a PCD nor a PLY file, nor has it the extension .bin"},
+        Malformed{"Text", "hello world\n", "f: is neither a PCD nor a PLY file, nor has it the extension .bin"},
+        Malformed{"OnlyComments", "# a\n# b", "f: is neither a PCD nor a PLY file, nor has it the extension .bin"},
         Malformed{"EndsInHeader", "VERSION 0.7\nFIELDS x y z\n", "f:3: ends within the header"},
         Malformed{"EndlessLine", "VERSION " + std::string(70000, 'x'), "f:1: has no end of line in 65536 bytes"},
         Malformed{"PromisesFiveGigabytes", pcd_header("binary", 60000000),

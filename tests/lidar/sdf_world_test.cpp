@@ -160,12 +160,6 @@ TEST(SdfWorld, IncludesModelsThatIncludeModels) {
   EXPECT_EQ(read_world(file).meshes.at(0).name, "outer::m::l::c");
 }
 
-TEST(Site, IsAWorldOrAMesh) {
-  const TemporaryFolder folder;
-  EXPECT_EQ(read_site(write(folder, "w.sdf", world(model(shape(kBox))))).meshes.size(), 1u);
-  EXPECT_EQ(read_site(write(folder, "t.obj", kTetrahedron)).meshes.size(), 1u);
-}
-
 TEST(SdfWorld, ReadsTheSmallWarehouse) {
   ALIGNABILITY_REQUIRE_SHARED_DATA(folder, "worlds/aws-small-warehouse/worlds");
   for (const SdfGeometry geometry : {SdfGeometry::collision, SdfGeometry::visual}) {
