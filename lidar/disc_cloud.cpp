@@ -5,7 +5,6 @@
 #include <pcl/kdtree/kdtree_flann.h>
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -18,6 +17,7 @@
 #include <tuple>
 
 #include "core/range.hpp"
+#include "lidar/in_parallel.hpp"
 #include "lidar/thinning.hpp"
 
 namespace alignability {
@@ -83,14 +83,6 @@ struct Neighbourhoods {
   std::span<const std::int32_t> of(std::size_t point) const { return std::span(points).subspan(point * count, count); }
 };
 
-// Calls visit(i) for all i < count, denormals as they are whatever Embree has set.
-template <typename Visit>
-void for_each(std::size_t count, const Visit& visit) {
-  tbb::task_group_context context(tbb::task_group_context::isolated,
-                                  tbb::task_group_context::default_traits | tbb::task_group_context::fp_settings);
-  tbb::parallel_for(std::size_t{0}, count, visit, context);
-}
-
 Neighbourhoods neighbourhoods_of(const std::vector<Eigen::Vector3f>& points, const DiscOptions& options) {
   const Points::Ptr cloud = to_pcl(points);
   Tree tree;
@@ -101,7 +93,7 @@ Neighbourhoods neighbourhoods_of(const std::vector<Eigen::Vector3f>& points, con
                         .normals = std::vector<Eigen::Vector3f>(points.size()),
                         .curvatures = std::vector<float>(points.size()),
                         .spacings = std::vector<float>(points.size())};
-  for_each(points.size(), [&](std::size_t i) {
+  in_parallel(points.size(), 0, [&](std::size_t i) {
     pcl::Indices nearest;
     std::vector<float> distances2;
     tree.nearestKSearch((*cloud)[i], static_cast<int>(count), nearest, distances2);
@@ -148,7 +140,7 @@ DiscCloud discs_of(const PointCloud& cloud, const DiscOptions& options) {
   DiscCloud discs;
   discs.normals.resize(kept.points.size());
   discs.radii.resize(kept.points.size());
-  for_each(kept.points.size(), [&](std::size_t i) {
+  in_parallel(kept.points.size(), 0, [&](std::size_t i) {
     const auto given = kept.normals.empty() ? std::nullopt : unit(kept.normals[i]);
     discs.normals[i] = given ? *given : normal_at(i, kept.points, around);
     discs.radii[i] = static_cast<float>(options.overlap) * around.spacings[i];

@@ -7,12 +7,17 @@
 #include <boost/random/normal_distribution.hpp>
 #include <boost/random/uniform_01.hpp>
 #include <cmath>
+#include <limits>
 #include <stdexcept>
 
 #include "core/range.hpp"
+#include "lidar/in_parallel.hpp"
+#include "lidar/scene.hpp"
 
 namespace alignability {
 namespace {
+
+using Engine = boost::random::mt19937_64;
 
 constexpr double kMostPoints = 1 << 26;
 
@@ -29,19 +34,21 @@ Facet facet_of(const TriangleMesh& mesh, std::size_t triangle) {
   return {corner, side, other_side, side.cross(other_side)};
 }
 
+// How far to either side of a surface to look for free space [m]: farther than single precision errs in a site of kilometres.
+constexpr float kBeside = 1e-3f;
+
 // Draws as std::… would, but the same numbers with every standard library.
 class Sampler {
  public:
-  explicit Sampler(const SampleOptions& options) : options_(options), engine_(options.seed) {}
+  Sampler(double spacing, Engine& engine) : spacing_(spacing), engine_(engine) {}
 
   void add(const Facet& facet) {
     const double area = 0.5 * facet.doubled_area.norm();
     if (!(area > 0.0)) return;
     const Eigen::Vector3d normal = facet.doubled_area.normalized();
-    const double wanted = area / (options_.spacing * options_.spacing) + uniform_(engine_);
+    const double wanted = area / (spacing_ * spacing_) + uniform_(engine_);
     for (double i = 1.0; i <= wanted; ++i) {
-      const Eigen::Vector3d point = place_in(facet) + options_.stddev * noise_(engine_) * normal;
-      cloud_.points.push_back(point.cast<float>());
+      cloud_.points.push_back(place_in(facet).cast<float>());
       cloud_.normals.push_back(normal.cast<float>());
     }
   }
@@ -58,12 +65,39 @@ class Sampler {
     return facet.corner + u * facet.side + v * facet.other_side;
   }
 
-  SampleOptions options_;
-  boost::random::mt19937_64 engine_;
+  double spacing_;
+  Engine& engine_;
   boost::random::uniform_01<double> uniform_;
-  boost::random::normal_distribution<double> noise_;
   PointCloud cloud_;
 };
+
+// Whether a scanner may look at the surface from the place just beside it: not from within something solid, and not from under the
+// lowest floor.
+bool is_seen_from(const Scene& scene, const Eigen::Vector3f& place, const Eigen::Vector3f& surface) {
+  if (!scene.is_free(place, 0.0f)) return false;
+  const Eigen::Vector3f up = surface - place;
+  if (up.z() < 0.5f * up.norm()) return true;
+  const Eigen::Vector3f down = -Eigen::Vector3f::UnitZ();
+  return !std::isnan(scene.cast(place, {&down, 1}, std::numeric_limits<float>::infinity()).front());
+}
+
+// What no side shows is left out, and the rest scattered.
+PointCloud seen(const PointCloud& cloud, const Scene& scene, double stddev, Engine& engine) {
+  std::vector<char> is_seen(cloud.points.size());
+  in_parallel(cloud.points.size(), 0, [&](std::size_t i) {
+    const Eigen::Vector3f beside = kBeside * cloud.normals[i];
+    is_seen[i] =
+        is_seen_from(scene, cloud.points[i] + beside, cloud.points[i]) || is_seen_from(scene, cloud.points[i] - beside, cloud.points[i]);
+  });
+  boost::random::normal_distribution<double> noise;
+  PointCloud kept;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    if (!is_seen[i]) continue;
+    kept.points.push_back(cloud.points[i] + static_cast<float>(stddev * noise(engine)) * cloud.normals[i]);
+    kept.normals.push_back(cloud.normals[i]);
+  }
+  return kept;
+}
 
 }  // namespace
 
@@ -75,11 +109,12 @@ PointCloud sample_surface(const std::vector<TriangleMesh>& meshes, const SampleO
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) area += 0.5 * facet_of(mesh, i).doubled_area.norm();
   }
   if (area / (options.spacing * options.spacing) > kMostPoints) throw std::invalid_argument("the spacing asks for more than 2^26 points");
-  Sampler sampler(options);
+  Engine engine(options.seed);
+  Sampler sampler(options.spacing, engine);
   for (const TriangleMesh& mesh : meshes) {
     for (std::size_t i = 0; i < mesh.triangles.size(); ++i) sampler.add(facet_of(mesh, i));
   }
-  return std::move(sampler).result();
+  return seen(std::move(sampler).result(), Scene(meshes), options.stddev, engine);
 }
 
 }  // namespace alignability

@@ -15,8 +15,9 @@ struct SampleOptions {
   std::uint64_t seed = 1;
 };
 
-/// Points spread evenly at random over all surfaces, as if a scanner had seen each from everywhere, and the normals of these surfaces: the
-/// outside, inside and underside of things alike. Throws std::invalid_argument for options out of range and for more than 2^26 points.
+/// Points spread evenly at random over all surfaces, as if a scanner had seen each from everywhere, and the normals of these surfaces.
+/// What a scanner sees from no side is left out: what has something solid on both, and the floor beneath it, for nobody looks up from under
+/// the lowest floor. Throws std::invalid_argument for options out of range and for more than 2^26 points.
 PointCloud sample_surface(const std::vector<TriangleMesh>& meshes, const SampleOptions& options = {});
 
 }  // namespace alignability

@@ -38,6 +38,32 @@ TEST_F(Cli, GoesFromAWorldToTwoPaths) {
   EXPECT_THAT(outcome.out, HasSubstr("relative"));
 }
 
+TEST_F(Cli, MapsACloudAsTheWorldThatItWasSampledFrom) {
+  ASSERT_EQ(run({"sample", "world.sdf", "--spacing", "0.05", "-o", "cloud.pcd"}).exit_code, 0);
+  const test::Outcome sliced = run({"occupancy", "cloud.pcd", "--z-min", "0.1", "--z-max", "2", "-o", "occupancy"});
+  EXPECT_EQ(sliced.exit_code, 0) << sliced.err;
+  EXPECT_THAT(sliced.err, HasSubstr(" points, on each a disc, of 0.0"));
+  std::vector<std::string> map = kMap;
+  map[2] = "cloud.pcd";
+  const test::Outcome mapped = run(map);
+  EXPECT_EQ(mapped.exit_code, 0) << mapped.err;
+  const test::Outcome plan = run({"plan", "problem.yaml"});
+  EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  const test::Outcome explained = run({"explain", "2,3", "--scene", "cloud.pcd", "--sensor", "sensor.yaml", "--json"});
+  EXPECT_EQ(explained.exit_code, 0) << explained.err;
+}
+
+TEST_F(Cli, TakesUnitAndUpAxisOfMeshesAlone) {
+  folder.write("hall.obj", "v 0 0 0\nv 800 0 0\nv 800 0 -600\nv 0 0 -600\nv 0 300 0\nv 800 300 0\nf 1 2 3 4\nf 1 5 6 2\n");
+  const std::vector<std::string> slice{"occupancy", "hall.obj", "--z-min", "0.1", "--z-max", "2", "-o", "hall", "--up", "y"};
+  EXPECT_THAT(run(slice, {"--unit", "0.01"}).out, HasSubstr("hall.yaml: 80 x 1 cells of 0.1 m"));
+  EXPECT_EQ(run(slice, {"--unit", "0"}).exit_code, 2);
+  EXPECT_EQ(run(slice, {"--up", "w"}).exit_code, 2);
+  const test::Outcome world = run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "o", "--unit", "0.01"});
+  EXPECT_EQ(world.exit_code, 2);
+  EXPECT_THAT(world.err, HasSubstr("--unit and --up are for meshes and point clouds"));
+}
+
 TEST_F(Cli, ScansAndScores) {
   test::Outcome outcome = run({"scan", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--at", "1.5,1.5,0.3", "-o", "scan.pcd"});
   EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
@@ -227,7 +253,7 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
 
 TEST_F(Cli, EndsHelpWithTwoExamples) {
   for (const std::string command :
-       {"occupancy", "scan", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
+       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

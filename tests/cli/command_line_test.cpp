@@ -87,7 +87,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"plan missing.yaml", "missing.yaml: no such file"}, Fault{"compare missing.yaml", "missing.yaml: no such file"},
         Fault{"plan problem.yaml", "occupancy.yaml: no such file"},
         Fault{"plan problem.yaml --map missing.yaml", "missing.yaml: no such file"},
-        Fault{"score missing.pcd", "missing.pcd: no such file"}, Fault{"score sensor.yaml", "sensor.yaml: is neither a PCD nor a PLY file"},
+        Fault{"score missing.pcd", "missing.pcd: no such file"},
+        Fault{"score sensor.yaml", "sensor.yaml: is neither a PCD nor a PLY file, nor has it the extension .bin"},
         Fault{"scan --scene missing.sdf --sensor sensor.yaml --at 1,1,0 -o x", "missing.sdf: no such file"},
         Fault{"scan --scene world.sdf --sensor missing.yaml --at 1,1,0 -o x", "missing.yaml: no such file"},
         Fault{"scan --scene world.sdf --sensor sensor.yaml --at 1,1,0 -o no/x.pcd",
@@ -95,7 +96,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"occupancy missing.sdf --z-min 0 --z-max 1 -o x", "missing.sdf: no such file"},
         Fault{"occupancy world.sdf --z-min 0 --z-max 1 -o x --model-path no", "alignability: --model-path: Directory does not exist: no"},
         Fault{"occupancy world.sdf --z-min 50 --z-max 51 -o x", "world.sdf: has nothing between --z-min and --z-max"},
-        Fault{"occupancy problem.yaml --z-min 0 --z-max 1 -o x", "problem.yaml:1:1: not valid XML: syntax error"},
+        Fault{"occupancy problem.yaml --z-min 0 --z-max 1 -o x",
+              "problem.yaml: is no site that is known: a world (SDF), a mesh (DAE, STL, OBJ, PLY, glTF) or a point cloud (PCD, PLY, BIN)"},
         Fault{"map --scene world.sdf --occupancy missing.yaml --sensor sensor.yaml -o x", "missing.yaml: no such file"},
         Fault{"map --scene world.sdf --occupancy sensor.yaml --sensor sensor.yaml -o x", "sensor.yaml:1:1: missing key 'image'"}));
 
@@ -152,7 +154,7 @@ TEST_P(EveryOption, OfNumbersRefusesNanAndAllRefuseToLackTheirValue) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, EveryOption,
-                         testing::Values("occupancy", "scan", "score", "map", "plan", "compare", "explain", "evaluate"),
+                         testing::Values("occupancy", "scan", "sample", "score", "map", "plan", "compare", "explain", "evaluate"),
                          [](const auto& instance) { return instance.param; });
 
 }  // namespace

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <stdexcept>
+#include <utility>
 
 #include "lidar/sample_surface.hpp"
 #include "lidar/scene.hpp"
@@ -137,9 +138,14 @@ TEST(DiscScene, DiscsThatAreNotWholeOrNotFiniteAreRefused) {
   EXPECT_THROW(Scene({}, {.centers = {{0, 0, 2}}, .normals = {{0, 0, 1}}, .radii = {-0.5f}}), std::invalid_argument);
 }
 
+TriangleMesh inside_out(TriangleMesh mesh) {
+  for (auto& [a, b, c] : mesh.triangles) std::swap(b, c);
+  return mesh;
+}
+
 // A room of 8 × 6 × 3 m with a block in it: how far a scan of its sampled points is from one of itself.
 TEST(DiscScene, AScanOfSampledSurfacesIsNearlyThatOfTheSurfaces) {
-  const std::vector<TriangleMesh> room{make_box({8, 6, 3}), test::moved(make_box({2, 1, 3}), 2, 1, 0)};
+  const std::vector<TriangleMesh> room{inside_out(make_box({8, 6, 3})), test::moved(make_box({2, 1, 3}), 2, 1, 0)};
   const Scene truth(room);
   const Scene sampled({}, discs_of({.points = sample_surface(room, {.spacing = 0.05}).points, .normals = {}}));
   LidarModel lidar = test::small_lidar();
