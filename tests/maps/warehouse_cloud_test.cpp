@@ -8,6 +8,7 @@
 #include "alignability/build_map.hpp"
 #include "alignability/map_update.hpp"
 #include "costmap/map_server.hpp"
+#include "costmap/occupancy_patches.hpp"
 #include "lidar/lidar_model.hpp"
 #include "lidar/sample_surface.hpp"
 #include "lidar/sdf_world.hpp"
@@ -60,19 +61,33 @@ TEST_F(WarehouseCloud, ItsMapIsNearlyThatOfTheWorld) {
   EXPECT_LE(errors.back(), 0.3f);
 }
 
-TEST_F(WarehouseCloud, ItsOccupancyIsNearlyThatOfTheWorld) {
-  const OccupancyMap map = rasterize(slice(discs, 0.1, 2.0), occupancy.geometry());
-  std::size_t compared = 0, taken_for_free = 0, lost = 0;
+bool is_near_what_is_not_free(const OccupancyMap& map, Cell cell) {
+  for (int dy = -2; dy <= 2; ++dy) {
+    for (int dx = -2; dx <= 2; ++dx) {
+      if (!map.is_free({cell.x + dx, cell.y + dy})) return true;
+    }
+  }
+  return false;
+}
+
+// A face on the line between two cells shows in both, so what is free may be a cell narrower, and two where the floor has a hole beside it.
+TEST_F(WarehouseCloud, ItsOccupancyHidesNothingAndIsNarrowerByTwoCellsAtMost) {
+  const OccupancyMap filled = without_small_holes(rasterize(slice(discs, 0.1, 2.0), occupancy.geometry()), 0.1);
+  const OccupancyMap map = without_small_patches(filled, 1.0);
+  std::size_t free = 0;
   for (std::size_t i = 0; i < occupancy.geometry().size(); ++i) {
     const Cell cell = occupancy.geometry().cell_of(i);
     const Eigen::Vector2d center = occupancy.geometry().center(cell);
     if (std::abs(center.x() - 30.0) > 7.0 || std::abs(center.y() - 23.0) > 9.0) continue;
-    ++compared;
-    if (map.is_free(cell) && !occupancy.is_free(cell)) ++taken_for_free;
-    if (!map.is_free(cell) && occupancy.is_free(cell)) ++lost;
+    free += map.is_free(cell) ? 1 : 0;
+    if (map.is_free(cell)) {
+      EXPECT_TRUE(occupancy.is_free(cell)) << center.transpose();
+    }
+    if (!filled.is_free(cell)) {
+      EXPECT_TRUE(is_near_what_is_not_free(occupancy, cell)) << center.transpose();
+    }
   }
-  EXPECT_LT(static_cast<double>(taken_for_free), 0.005 * static_cast<double>(compared));
-  EXPECT_LT(static_cast<double>(lost), 0.005 * static_cast<double>(compared));
+  EXPECT_GT(free, 15000u);
 }
 
 }  // namespace
