@@ -13,13 +13,12 @@
 #include "core/range.hpp"
 #include "lidar/in_parallel.hpp"
 #include "lidar/scan_file.hpp"
+#include "lidar/simulate_scan.hpp"
 
 namespace alignability {
 namespace {
 
-ScoredPlace score_of(const PosedScan& posed, const LogMapOptions& options, Scorer& scorer) {
-  Scan scan = read_scan_file(posed.file);
-  if (options.range_max) scan = cropped(std::move(scan), *options.range_max);
+ScoredPlace score_of(const Scan& scan, const PosedScan& posed, const LogMapOptions& options, Scorer& scorer) {
   const Eigen::Isometry3d& T_base_lidar = options.alignability.T_base_lidar;
   const Eigen::Isometry3d T_map_base = posed.T_map_lidar * T_base_lidar.inverse();
   return {T_map_base, detail::in_map(scorer.alignability(scan), T_map_base.linear(), T_base_lidar.linear())};
@@ -30,9 +29,9 @@ std::string to_yaml(const LogMapOptions& options) {
   return range + to_yaml(options.alignability);
 }
 
-}  // namespace
-
-std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options) {
+// Scores what `scan_of(i)` gives for each place in the log.
+template <typename ScanOf>
+std::vector<ScoredPlace> scored(std::span<const PosedScan> scans, const LogMapOptions& options, ScanOf scan_of) {
   Scorer{options.alignability};  // throws for options that no scan could be scored with
   if (options.range_max && !kPositive.contains(*options.range_max)) throw std::invalid_argument("range_max must be greater than 0");
   std::vector<ScoredPlace> places(scans.size());
@@ -46,10 +45,27 @@ std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMa
   tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
   in_parallel(scans.size(), options.threads, [&](std::size_t i) {
     if (options.stop.stop_requested()) throw Interrupted();
-    places[i] = score_of(scans[i], options, scorers.local());
+    places[i] = score_of(scan_of(i), scans[i], options, scorers.local());
     tell_of_one_more();
   });
   return places;
+}
+
+}  // namespace
+
+std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options) {
+  return scored(scans, options, [&](std::size_t i) {
+    Scan scan = read_scan_file(scans[i].file);
+    return options.range_max ? cropped(std::move(scan), *options.range_max) : scan;
+  });
+}
+
+std::vector<ScoredPlace> score_simulated_log(std::span<const PosedScan> scans, const Scene& scene, const LidarModel& lidar,
+                                             std::uint64_t seed, const LogMapOptions& options) {
+  return scored(scans, options, [&](std::size_t i) {
+    return simulate_scan(scene, lidar, scans[i].T_map_lidar, {.range_max = options.range_max},
+                         NoiseKey{.seed = seed, .cell = 0, .sample = i});
+  });
 }
 
 GridGeometry geometry_around(std::span<const ScoredPlace> places, double resolution) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -9,7 +10,9 @@
 #include "alignability/alignability.hpp"
 #include "core/progress.hpp"
 #include "costmap/alignability_map.hpp"
+#include "lidar/lidar_model.hpp"
 #include "lidar/scan_log.hpp"
+#include "lidar/scene.hpp"
 
 namespace alignability {
 
@@ -30,6 +33,11 @@ struct ScoredPlace {
 /// Reads and scores each scan, in their order; the mount is that of `options.alignability`. The same for any number of threads. Throws
 /// InputError for a scan that cannot be read, Interrupted, std::invalid_argument for options out of range.
 std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options);
+
+/// The same of what the lidar sees of the scene from the poses of the scans, whose files are not read, with its noise: the draws of a scan
+/// are keyed by the seed and its place in the log. Holds a log against a site.
+std::vector<ScoredPlace> score_simulated_log(std::span<const PosedScan> scans, const Scene& scene, const LidarModel& lidar,
+                                             std::uint64_t seed, const LogMapOptions& options);
 
 /// The cells of that size, their corners on whole cells counted from the origin of `map`, that hold all places, and a rim of one cell
 /// around. Throws std::invalid_argument for a resolution that is not greater than 0, no places, and where there would be more than 2^26

@@ -62,13 +62,13 @@ void add_join(CLI::App& app, Work& work) {
   command->add_option("--range-min", options->range_min, "Drop nearer returns: the robot's own, and fillers (without --sensor 0.5) [m]")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--range-max", options->join.range_max, "Drop farther returns [m]")->check(CLI::PositiveNumber);
-  command->add_option("--voxel", options->join.voxel, "Thin to about a point in each cube of this side [m]")->check(CLI::PositiveNumber);
+  command->add_option("--thin", options->join.thinning, "Thin to about a point in each cube of this side [m]")->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "CLOUD.pcd")->required();
   command->footer(
       "Examples:\n"
       "  alignability join scans --trajectory poses.txt -o cloud.pcd\n"
-      "  alignability join scans --trajectory poses.txt --poses-of base_link --sensor maps/sensors/os1-64.yaml --voxel 0.05 -o cloud.pcd");
+      "  alignability join scans --trajectory poses.txt --poses-of base_link --sensor maps/sensors/os1-64.yaml --thin 0.05 -o cloud.pcd");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }
 

@@ -35,7 +35,7 @@ void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
 }
 
 const Names kOfScenesAlone{"--samples",    "--floor",    "--seed", "--cells", "--polygon", "--update",
-                           "--model-path", "--geometry", "--unit", "--up",    "--thin"};
+                           "--model-path", "--geometry", "--unit", "--up",    "--thin",    "--level"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
 const Names kOfMerging{"--merge", "--occupancy", "--json", "--output"};
 

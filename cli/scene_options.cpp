@@ -1,9 +1,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "cli/scene_options.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "core/input_error.hpp"
+#include "core/range.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -20,6 +24,13 @@ UpAxis up_axis_named(const std::string& name) {
   if (name == "y") return UpAxis::y;
   if (name == "z") return UpAxis::z;
   throw CLI::ValidationError("--up", "must be x, y or z, not " + name);
+}
+
+void tell_of_leveling(const std::filesystem::path& file, const Eigen::Isometry3d& T_map_file) {
+  if (T_map_file.isApprox(Eigen::Isometry3d::Identity())) return;
+  const double tilt = std::acos(std::min(1.0, T_map_file.linear()(2, 2))) * 180.0 / std::numbers::pi;
+  std::cerr << file.string() << ": leveled by " << fixed_text(tilt, 2) << " degrees; its origin is "
+            << fixed_text(T_map_file.translation().z(), 2) << " m above the floor\n";
 }
 
 }  // namespace
@@ -42,6 +53,7 @@ void add_site_options(CLI::App& command, SiteOptions& options) {
       ->option_text("x|y|z");
   command.add_option("--thin", options.discs.thinning, "Side of the cubes [m] of which each keeps one point of a cloud")
       ->check(CLI::PositiveNumber);
+  command.add_flag("--level", options.level, "Turn and lift a cloud so that its floor is z = 0");
 }
 
 Site read_site_telling(const std::filesystem::path& file, const SiteOptions& options) {
@@ -50,6 +62,7 @@ Site read_site_telling(const std::filesystem::path& file, const SiteOptions& opt
   if (!site.discs.empty()) {
     std::cerr << file.string() << ": " << site.discs.size() << " points, on each a disc, of " << median_radius(site.discs)
               << " m radius in the median\n";
+    tell_of_leveling(file, site.T_map_file);
   }
   return site;
 }

@@ -5,6 +5,7 @@
 #include "cli/interrupt.hpp"
 #include "cli/output_name.hpp"
 #include "cli/problem_options.hpp"
+#include "cli/validate_log.hpp"
 #include "cli/validate_output.hpp"
 #include "cli/validate_pictures.hpp"
 #include "core/file.hpp"
@@ -161,6 +162,7 @@ void add_validate(CLI::App& app, Work& work) {
       "  alignability validate path maps/warehouse/problem.yaml c_shortest.csv c_risk_aware.csv -o driven");
   add_validate_map(*validate, work);
   add_validate_path(*validate, work);
+  add_validate_log(*validate, work);
 }
 
 }  // namespace alignability::cli

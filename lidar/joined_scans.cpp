@@ -43,7 +43,7 @@ std::vector<Eigen::Vector3f> joined(std::span<const PosedScan> scans, const Join
   std::vector<Eigen::Vector3f> cloud;
   std::size_t after_thinning = 0;
   const auto thin = [&] {
-    if (options.voxel) cloud = thinned(cloud, *options.voxel);
+    if (options.thinning) cloud = thinned(cloud, *options.thinning);
     after_thinning = cloud.size();
   };
   for (std::size_t i = 0; i < scans.size(); ++i) {
@@ -51,10 +51,10 @@ std::vector<Eigen::Vector3f> joined(std::span<const PosedScan> scans, const Join
     if (options.progress) options.progress({i, scans.size()});
     const std::vector<Eigen::Vector3f> points = points_in_map(scans[i], options);
     cloud.insert(cloud.end(), points.begin(), points.end());
-    if (options.voxel && cloud.size() > kGrowth * after_thinning) thin();
+    if (options.thinning && cloud.size() > kGrowth * after_thinning) thin();
     if (cloud.size() > detail::kMostPoints) {
       throw InputError(scans[i].file, "is one scan too many: joined, they have more than " + std::to_string(detail::kMostPoints) +
-                                          " points; thin them by a larger voxel, or join fewer");
+                                          " points; thin them more coarsely, or join fewer");
     }
   }
   thin();

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "core/input_error.hpp"
+#include "lidar/floor_plane.hpp"
 #include "lidar/scan_file.hpp"
 
 namespace alignability {
@@ -55,6 +56,7 @@ void refuse_options_of_others(Kind kind, const fs::path& file, const SiteOptions
     throw InputError(file, "is a world, whose unit and up axis SDF lays down: --unit and --up are for meshes and point clouds");
   }
   if (kind != Kind::cloud && options.discs.thinning) throw InputError(file, "is no point cloud, and --thin is for these");
+  if (kind != Kind::cloud && options.level) throw InputError(file, "is no point cloud, and --level is for these");
 }
 
 PointCloud in_map(PointCloud cloud, const fs::path& file, const SiteOptions& options) {
@@ -70,13 +72,19 @@ PointCloud in_map(PointCloud cloud, const fs::path& file, const SiteOptions& opt
   return cloud;
 }
 
-DiscCloud read_discs(const fs::path& file, const SiteOptions& options) {
-  const PointCloud cloud = in_map(read_cloud_file(file), file, options);
+Site read_cloud(const fs::path& file, const SiteOptions& options) {
+  PointCloud cloud = in_map(read_cloud_file(file), file, options);
+  Site site;
   try {
-    return discs_of(cloud, options.discs);
+    if (options.level) site.T_map_file = leveled(cloud.points);
+    const Eigen::Isometry3f T_map_file = site.T_map_file.cast<float>();
+    for (Eigen::Vector3f& point : cloud.points) point = T_map_file * point;
+    for (Eigen::Vector3f& normal : cloud.normals) normal = T_map_file.linear() * normal;
+    site.discs = discs_of(cloud, options.discs);
   } catch (const std::invalid_argument& error) {
     throw InputError(file, error.what());
   }
+  return site;
 }
 
 }  // namespace
@@ -84,13 +92,13 @@ DiscCloud read_discs(const fs::path& file, const SiteOptions& options) {
 Site read_site(const fs::path& file, const SiteOptions& options) {
   const Kind kind = kind_of(file);
   refuse_options_of_others(kind, file, options);
-  if (kind == Kind::cloud) return {.meshes = {}, .discs = read_discs(file, options), .warnings = {}};
+  if (kind == Kind::cloud) return read_cloud(file, options);
   if (kind == Kind::mesh) {
     const MeshOptions mesh{.unit = options.unit, .up_axis = options.up_axis, .submesh = {}};
-    return {.meshes = read_mesh_file(file, mesh), .discs = {}, .warnings = {}};
+    return {.meshes = read_mesh_file(file, mesh)};
   }
   World world = read_world(file, options.world);
-  return {.meshes = std::move(world.meshes), .discs = {}, .warnings = std::move(world.warnings)};
+  return {.meshes = std::move(world.meshes), .warnings = std::move(world.warnings)};
 }
 
 }  // namespace alignability

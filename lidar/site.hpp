@@ -19,16 +19,20 @@ struct SiteOptions {
   std::optional<double> unit;
   /// Of a mesh or cloud, likewise.
   std::optional<UpAxis> up_axis;
+  /// Turns and lifts a cloud so that its floor lies level at z = 0 (see `leveled`); else it stays as it is.
+  bool level = false;
   /// How a cloud becomes surfaces.
   DiscOptions discs;
 };
 
 /// What a robot drives and looks about in: triangles, or discs where it is known by points.
 struct Site {
-  std::vector<TriangleMesh> meshes;
-  DiscCloud discs;
+  std::vector<TriangleMesh> meshes = {};
+  DiscCloud discs = {};
+  /// What leveling did to a cloud, after unit and up axis.
+  Eigen::Isometry3d T_map_file = Eigen::Isometry3d::Identity();
   /// What was left out or looked odd, one sentence each.
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = {};
 };
 
 /// Reads an SDF world or model, a mesh file or a point cloud, told apart by content: a PLY with faces is a mesh, one without a cloud. Where

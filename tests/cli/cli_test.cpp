@@ -49,6 +49,9 @@ TEST_F(Cli, MapsACloudAsTheWorldThatItWasSampledFrom) {
   EXPECT_EQ(mapped.exit_code, 0) << mapped.err;
   const test::Outcome plan = run({"plan", "problem.yaml"});
   EXPECT_EQ(plan.exit_code, 0) << plan.err;
+  const test::Outcome leveled = run({"occupancy", "cloud.pcd", "--z-min", "0.1", "--z-max", "2", "-o", "level", "--level"});
+  EXPECT_THAT(leveled.err, HasSubstr("cloud.pcd: leveled by 0.0"));
+  EXPECT_THAT(leveled.out, HasSubstr("level.yaml: "));
   const test::Outcome explained = run({"explain", "2,3", "--scene", "cloud.pcd", "--sensor", "sensor.yaml", "--json"});
   EXPECT_EQ(explained.exit_code, 0) << explained.err;
 }
@@ -62,6 +65,8 @@ TEST_F(Cli, TakesUnitAndUpAxisOfMeshesAlone) {
   const test::Outcome world = run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "o", "--unit", "0.01"});
   EXPECT_EQ(world.exit_code, 2);
   EXPECT_THAT(world.err, HasSubstr("--unit and --up are for meshes and point clouds"));
+  const test::Outcome tilted = run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "o", "--level"});
+  EXPECT_THAT(tilted.err, HasSubstr("is no point cloud, and --level is for these"));
 }
 
 TEST_F(Cli, ScansAndScores) {

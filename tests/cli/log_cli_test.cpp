@@ -106,7 +106,7 @@ TEST_F(LogCli, MapsALogWithoutAnOccupancyMap) {
 TEST_F(LogCli, JoinsALogIntoACloud) {
   record(2);
   const test::Outcome outcome = run({"join", "scans", "--trajectory", "poses.txt", "--poses-of", "base_link", "--sensor", "sensor.yaml",
-                                     "--voxel", "0.2", "--json", "-o", "cloud.pcd"});
+                                     "--thin", "0.2", "--json", "-o", "cloud.pcd"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json summary = json::parse(outcome.out);
   EXPECT_EQ(summary["scans"], 2);
@@ -174,6 +174,25 @@ TEST_F(LogCli, SaysWhatIsWrong) {
     EXPECT_EQ(outcome.out, "");
   }
   EXPECT_FALSE(exists("a.yaml") || exists("cloud.pcd"));
+}
+
+TEST_F(LogCli, HoldsALogAgainstTheSiteThatItWasTakenIn) {
+  record(4);
+  const std::vector<std::string> held{"validate",  "log",      "scans",       "--trajectory", "poses.txt", "--poses-of",
+                                      "base_link", "--sensor", "sensor.yaml", "--scene",      "world.sdf"};
+  const auto with = [&](std::vector<std::string> more) {
+    more.insert(more.begin(), held.begin(), held.end());
+    return run(more);
+  };
+  const test::Outcome outcome = with({"--json", "-o", "held"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json told = json::parse(outcome.out);
+  EXPECT_EQ(told["scans"], 4);
+  EXPECT_LT(told["difference"]["max"], 0.05) << "but for their noise the scans are the same";
+  EXPECT_TRUE(exists("held.png"));
+  EXPECT_THAT(bytes("held.csv"), StartsWith("scan,x,y,z,recorded_alpha,simulated_alpha,"));
+  EXPECT_THAT(with({}).out, StartsWith("4 scans: simulated alpha is off by 0.0"));
+  EXPECT_EQ(with({"--level"}).exit_code, 2);
 }
 
 }  // namespace

@@ -48,7 +48,7 @@ TEST_F(JoinedScans, LeaveAPointACubeWhereAVoxelIsGiven) {
     scans.push_back(
         scan(std::to_string(i) + ".pcd", {{2.01f, 0.01f, 0.01f}, {2.03f, 0.01f, 0.01f}, {3.01f, 0.01f, 0.01f}}, {0.0, 0.0, 0.0}));
   }
-  const auto cloud = joined(scans, {.voxel = 0.1});
+  const auto cloud = joined(scans, {.thinning = 0.1});
   ASSERT_EQ(cloud.size(), 2u);
   EXPECT_NEAR(cloud[0].x(), 2.02f, 1e-3f);
   EXPECT_NEAR(cloud[1].x(), 3.01f, 1e-3f);
