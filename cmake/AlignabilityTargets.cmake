@@ -14,6 +14,8 @@ function(alignability_compile_privately target)
     -ffp-contract=off)
   if(ALIGNABILITY_SANITIZE)
     target_compile_options(${target} PRIVATE -fsanitize=${ALIGNABILITY_SANITIZE} -fno-sanitize-recover=all -fno-omit-frame-pointer)
+    # Under AddressSanitizer Eigen aligns memory by hand, and what PCL, which was built without, hands over would be freed wrongly.
+    target_compile_definitions(${target} PRIVATE EIGEN_MALLOC_ALREADY_ALIGNED=1)
     target_link_options(${target} PRIVATE -fsanitize=${ALIGNABILITY_SANITIZE})
   endif()
 endfunction()
