@@ -17,6 +17,14 @@ namespace {
 
 constexpr std::size_t kPacket = 16;
 
+// Embree takes a component of a direction below it for +1e-18 where it divides by it, whatever its sign, and for negative where it sorts
+// the rays of a packet by their signs: all rays of that packet then miss.
+constexpr float kLeastComponent = 1e-18f;
+
+Eigen::Vector3f without_traces(const Eigen::Vector3f& direction) {
+  return (direction.array().abs() < kLeastComponent).select(0.0f, direction);
+}
+
 template <typename Handle, void (*release)(Handle)>
 struct Release {
   void operator()(Handle handle) const { release(handle); }
@@ -272,7 +280,7 @@ std::vector<float> Scene::cast(const Eigen::Vector3f& origin, std::span<const Ei
     RTCRayHit16 packet;
     for (std::size_t i = 0; i < kPacket; ++i) {
       // Embree wants good numbers in the lanes that are not used, too.
-      const Eigen::Vector3f& direction = directions[first + std::min(i, count - 1)];
+      const Eigen::Vector3f direction = without_traces(directions[first + std::min(i, count - 1)]);
       valid[i] = i < count ? -1 : 0;
       packet.ray.org_x[i] = origin.x();
       packet.ray.org_y[i] = origin.y();

@@ -94,6 +94,19 @@ TEST(Scene, CastAgreesWithSearchingAllTriangles) {
   }
 }
 
+// As of a level scanner that hangs upside down, whose roll of 180 degrees leaves 1e-16 of y in z.
+TEST(Scene, CastStopsWhateverTracesOfRoundingADirectionHas) {
+  const Scene scene(hall());
+  for (const float trace : {-1e-16f, -1e-17f, -1e-18f, -1e-30f, 0.0f, 1e-30f, 1e-18f, 1e-17f}) {
+    std::vector<Eigen::Vector3f> directions;
+    for (int i = 0; i < 64; ++i) {
+      const float y = 0.005f * static_cast<float>(i - 32);
+      directions.push_back(Eigen::Vector3f(1.0f, y, trace * y));
+    }
+    for (const float range : scene.cast({0, 0, 1}, directions, 100)) EXPECT_NEAR(range, 5.0f, 1e-4f) << trace;
+  }
+}
+
 TEST(Scene, CastDoesNotSlipThroughEdges) {
   const Scene scene({make_sphere(1)});
   std::vector<Eigen::Vector3f> directions;
