@@ -134,22 +134,22 @@ GridGeometry alignability_geometry(const GridGeometry& occupancy, double resolut
       .resolution = resolution, .origin = occupancy.origin, .width = static_cast<int>(cells.x()), .height = static_cast<int>(cells.y())};
 }
 
-AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                        const MapOptions& options) {
   check(occupancy, options);
   AlignabilityMap map;
   map.geometry = alignability_geometry(occupancy.geometry(), options.resolution);
   map.seed = options.seed;
   map.options = to_yaml(options);
-  map.sensor = lidar.yaml;
+  map.sensor = sensor.yaml;
   const std::vector<Job> jobs = jobs_for(occupancy, map.geometry, options);
   const std::vector<std::string> names = detail::layer_names(options.alignability);
   std::optional<detail::Checkpoint> checkpoint;
   if (options.checkpoint) {
     const std::string all_options = map.options + "resolution: " + to_text(options.resolution) + '\n';
-    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, lidar, all_options, options.seed), names.size());
+    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, sensor, all_options, options.seed), names.size());
   }
-  const CellEvaluator evaluator(scene, lidar, options);
+  const CellEvaluator evaluator(scene, sensor, options);
   map.layers = layers_of(map.geometry, jobs, evaluate(jobs, evaluator, options, checkpoint ? &*checkpoint : nullptr), names);
   return map;
 }

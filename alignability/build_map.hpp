@@ -10,8 +10,8 @@
 #include "alignability/cell_samples.hpp"
 #include "core/progress.hpp"
 #include "costmap/alignability_map.hpp"
-#include "lidar/lidar_model.hpp"
 #include "lidar/scene.hpp"
+#include "lidar/sensor_rig.hpp"
 
 namespace alignability {
 
@@ -34,13 +34,13 @@ struct MapOptions {
 };
 
 /// The alignability map of a site (Castellano-Quero et al., Eq. 2): α of a cell is the median over scans simulated at places stratified
-/// over its free part, `base_link` at yaw 0, range noise on. A place where the sensor would be in or within 10 cm of a surface is
+/// over its free part, `base_link` at yaw 0, range noise on. A place where a lidar would be in or within 10 cm of a surface is
 /// drawn anew, and given up after 20 draws. Layers alpha, samples, iqr, weak_x, weak_y, weak_z (the axis nearest to the scans' weakest
 /// directions, in `map`); then the medians of the readings asked for, of information `information` [1/m²], `information_yaw` [1/rad²] and
 /// the weakest direction `information_x`, `information_y`. The same bytes for any number of threads. Throws std::invalid_argument for
 /// options out of range, Interrupted, and InputError for a checkpoint that cannot be written, is none, is another build's or that of one
 /// under way.
-AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                        const MapOptions& options);
 
 /// The grid of α-cells over an occupancy map: the same lower left corner, and as many cells as hold it.

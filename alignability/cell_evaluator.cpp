@@ -16,16 +16,16 @@ CellValue CellEvaluator::operator()(const FreePart& free, std::size_t cell, Scor
   std::vector<Alignability> scores;
   for (int sample = 0; sample < options_.samples; ++sample) {
     if (options_.stop.stop_requested()) throw Interrupted();
-    if (const auto pose = sensor_pose(free, cell, sample)) {
+    if (const auto T_map_base = robot_pose(free, cell, sample)) {
       const NoiseKey noise{options_.seed, cell, static_cast<std::uint64_t>(sample)};
-      const Scan scan = simulate_scan(scene_, lidar_, *pose, {.range_max = options_.range_max}, noise);
-      scores.push_back(in_map(scorer.alignability(scan), Eigen::Matrix3d::Identity(), lidar_.T_base_lidar.linear()));
+      const Scan scan = simulate_rig_scan(scene_, sensor_, *T_map_base, {.range_max = options_.range_max}, noise);
+      scores.push_back(in_map(scorer.alignability(scan), Eigen::Matrix3d::Identity(), sensor_.T_base_scan().linear()));
     }
   }
   return summary(scores, options_.alignability);
 }
 
-std::optional<Eigen::Isometry3d> CellEvaluator::sensor_pose(const FreePart& free, std::size_t cell, int sample) const {
+std::optional<Eigen::Isometry3d> CellEvaluator::robot_pose(const FreePart& free, std::size_t cell, int sample) const {
   const auto word = [](std::uint64_t value, int half) { return static_cast<std::uint32_t>(value >> (32 * half)); };
   constexpr std::uint32_t kPlaces = 0x706c6163;  // apart from the noise, which is keyed by the same numbers
   std::seed_seq key{
@@ -38,10 +38,15 @@ std::optional<Eigen::Isometry3d> CellEvaluator::sensor_pose(const FreePart& free
     const double v = uniform();
     Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
     T_map_base.translation() << free.at(share, u, v), options_.floor;
-    const Eigen::Isometry3d T_map_lidar = T_map_base * lidar_.T_base_lidar;
-    if (scene_.is_free(T_map_lidar.translation().cast<float>(), kSensorClearance)) return T_map_lidar;
+    if (is_free(T_map_base)) return T_map_base;
   }
   return std::nullopt;
+}
+
+bool CellEvaluator::is_free(const Eigen::Isometry3d& T_map_base) const {
+  return std::ranges::all_of(sensor_.lidars, [&](const LidarModel& lidar) {
+    return scene_.is_free((T_map_base * lidar.T_base_lidar).translation().cast<float>(), kSensorClearance);
+  });
 }
 
 }  // namespace alignability::detail

@@ -13,16 +13,18 @@ namespace alignability::detail {
 class CellEvaluator {
  public:
   /// All three must outlive it.
-  CellEvaluator(const Scene& scene, const LidarModel& lidar, const MapOptions& options) : scene_(scene), lidar_(lidar), options_(options) {}
+  CellEvaluator(const Scene& scene, const SensorRig& sensor, const MapOptions& options)
+      : scene_(scene), sensor_(sensor), options_(options) {}
 
   /// Throws Interrupted.
   CellValue operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const;
 
  private:
-  std::optional<Eigen::Isometry3d> sensor_pose(const FreePart& free, std::size_t cell, int sample) const;
+  std::optional<Eigen::Isometry3d> robot_pose(const FreePart& free, std::size_t cell, int sample) const;
+  bool is_free(const Eigen::Isometry3d& T_map_base) const;
 
   const Scene& scene_;
-  const LidarModel& lidar_;
+  const SensorRig& sensor_;
   const MapOptions& options_;
 };
 

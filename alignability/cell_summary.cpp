@@ -49,8 +49,8 @@ std::vector<std::string> layer_names(const AlignabilityOptions& options) {
   return names;
 }
 
-Alignability in_map(Alignability score, const Eigen::Matrix3d& R_map_base, const Eigen::Matrix3d& R_base_lidar) {
-  score.weakest_direction = R_map_base * R_base_lidar * score.weakest_direction;
+Alignability in_map(Alignability score, const Eigen::Matrix3d& R_map_base, const Eigen::Matrix3d& R_base_scan) {
+  score.weakest_direction = R_map_base * R_base_scan * score.weakest_direction;
   Eigen::Vector2d& along = score.readings.information.weakest_direction;
   along = (R_map_base * Eigen::Vector3d(along.x(), along.y(), 0.0)).head<2>().eval();
   return score;

@@ -16,7 +16,7 @@ using CellValue = std::vector<float>;
 std::vector<std::string> layer_names(const AlignabilityOptions& options);
 
 /// The score with its directions turned into `map`.
-Alignability in_map(Alignability score, const Eigen::Matrix3d& R_map_base, const Eigen::Matrix3d& R_base_lidar);
+Alignability in_map(Alignability score, const Eigen::Matrix3d& R_map_base, const Eigen::Matrix3d& R_base_scan);
 
 /// What the scans taken in a cell say of it, their directions in `map` (Castellano-Quero et al., Eq. 2). Without scans all is NaN but
 /// `samples`, which is 0.

@@ -106,7 +106,7 @@ void Checkpoint::append(std::size_t cell, const CellValue& value) {
 
 void Checkpoint::fail(int error_number) const { throw InputError(file_, std::string("cannot be written: ") + std::strerror(error_number)); }
 
-std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, const std::string& options,
+std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor, const std::string& options,
                           std::uint64_t seed) {
   Crc64 crc;
   const auto add = [&crc](const auto* values, std::size_t count) {
@@ -132,11 +132,17 @@ std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, con
     const float value = occupancy.occupancy(grid.cell_of(i)).value_or(-1.0f);
     crc.process_bytes(&value, sizeof value);
   }
-  add(lidar.elevations.data(), lidar.elevations.size());
-  const std::array<double, 6> beams{lidar.azimuth_min, lidar.azimuth_max, static_cast<double>(lidar.columns),
-                                    lidar.range_min,   lidar.range_max,   lidar.range_stddev};
-  add(beams.data(), beams.size());
-  add(lidar.T_base_lidar.data(), 16);
+  for (const LidarModel& lidar : sensor.lidars) {
+    add(lidar.elevations.data(), lidar.elevations.size());
+    add(lidar.azimuth_offsets.data(), lidar.azimuth_offsets.size());
+    for (const AzimuthSector& sector : lidar.sectors) {
+      const std::array<double, 3> azimuths{sector.min, sector.max, static_cast<double>(sector.columns)};
+      add(azimuths.data(), azimuths.size());
+    }
+    const std::array<double, 3> ranges{lidar.range_min, lidar.range_max, lidar.range_stddev};
+    add(ranges.data(), ranges.size());
+    add(lidar.T_base_lidar.data(), 16);
+  }
   constexpr std::string_view kVersion = ALIGNABILITY_VERSION;
   for (const std::string_view text : {std::string_view(options), kVersion}) add(text.data(), text.size());
   add(&seed, 1);

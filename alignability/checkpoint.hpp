@@ -38,7 +38,7 @@ class Checkpoint {
 };
 
 /// What the values of a map's cells depend on: surfaces, free space, sensor, options and seed, not the choice of cells.
-std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, const std::string& options,
+std::uint64_t fingerprint(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor, const std::string& options,
                           std::uint64_t seed);
 
 }  // namespace alignability::detail

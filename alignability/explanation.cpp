@@ -65,14 +65,14 @@ Sums sums_along(const Eigen::Vector3d& axis, const std::vector<MergedPlane>& par
   return sums;
 }
 
-ExplainedPlane explained(const MergedPlane& part, const Eigen::Matrix3d& R_map_lidar, double normals) {
+ExplainedPlane explained(const MergedPlane& part, const Eigen::Matrix3d& R_map_scan, double normals) {
   ExplainedPlane plane;
-  plane.normal = R_map_lidar * part.own_normal;
+  plane.normal = R_map_scan * part.own_normal;
   plane.kind = kind_of(plane.normal);
   plane.segments = part.segments;
   plane.points = part.normals.size();
   plane.share = part.count() / normals;
-  plane.distance = std::abs(part.own_normal.dot(part.shape.center));
+  plane.distance = std::abs(part.own_normal.dot(part.shape.center - part.viewpoint));
   plane.extents = part.shape.extents;
   std::ranges::sort(plane.extents, std::ranges::greater{});
   return plane;
@@ -80,14 +80,15 @@ ExplainedPlane explained(const MergedPlane& part, const Eigen::Matrix3d& R_map_l
 
 }  // namespace
 
-Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_lidar, double range_stddev, const AlignabilityOptions& options) {
+Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_scan, double range_stddev, const AlignabilityOptions& options) {
   const ScoredScan scored = score(scan, options);
   Explanation explanation;
   explanation.alignability = scored.alignability;
-  explanation.axes = with_largest_positive(R_map_lidar * scored.axes);
+  explanation.axes = with_largest_positive(R_map_scan * scored.axes);
   explanation.plane_of_point.assign(scan.points.size(), -1);
   const std::vector<MergedPlane> parts =
-      detail::merged_planes(scan, detail::members_of(scored.plane_of_point, scored.alignability.planes_kept), scored.normals, range_stddev);
+      detail::merged_planes(scan, detail::members_of(scored.plane_of_point, scored.alignability.planes_kept), scored.normals,
+                            scored.alignability.dimensions == 2 ? Dimensions::two : Dimensions::three, range_stddev);
   double normals = 0.0;
   for (std::size_t plane = 0; plane < parts.size(); ++plane) {
     normals += parts[plane].count();
@@ -96,7 +97,7 @@ Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_lidar, double
   const Sums sums = sums_along(scored.alignability.weakest_direction, parts, options.moment);
   const double total = sums.total();
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    ExplainedPlane plane = explained(parts[i], R_map_lidar, normals);
+    ExplainedPlane plane = explained(parts[i], R_map_scan, normals);
     if (total > 0.0) plane.holds = sums.as_they_are[i] / total;
     explanation.planes.push_back(plane);
   }

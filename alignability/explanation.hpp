@@ -24,7 +24,7 @@ struct ExplainedPlane {
   int segments = 0;
   std::size_t points = 0;                             ///< those with a normal
   double share = 0.0;                                 ///< of the normals of all planes
-  double distance = 0.0;                              ///< from the sensor to the plane, which goes on beyond its points [m]
+  double distance = 0.0;                              ///< from a lidar that saw it to the plane, which goes on beyond its points [m]
   Eigen::Vector3d extents = Eigen::Vector3d::Zero();  ///< of its oriented bounding box, the longest first [m]
   /// Its part of λ_c: Σ (n·w)² over its points' normals n, w the weakest direction, as a share of that sum over all planes.
   double holds = 0.0;
@@ -32,19 +32,19 @@ struct ExplainedPlane {
 
 /// Why a scan scores what it does.
 struct Explanation {
-  Alignability alignability;                       ///< as `score` has it, the weakest direction in the `lidar` frame
+  Alignability alignability;                       ///< as `score` has it, the weakest direction in the frame of the scan
   Eigen::Matrix3d axes = Eigen::Matrix3d::Zero();  ///< of the eigenvalues in `map`, by column; the largest part of each is positive
   std::vector<ExplainedPlane> planes;              ///< the largest first
   std::vector<int> plane_of_point;                 ///< for each point of the scan its place in `planes`; -1 = none
   /// The part of λ_c that would be gone if all points of a plane had its own normal, in [0,1]. High on bare floors: docs/design.md.
   double noise = 0.0;
 
-  Eigen::Vector3d weakest_axis() const { return axes.col(2); }
+  Eigen::Vector3d weakest_axis() const { return axes.col(alignability.dimensions - 1); }
 };
 
-/// Scores a scan and tells what came of which plane. `R_map_lidar` turns the axes of the lidar to those of `map`, `range_stddev` is the
+/// Scores a scan and tells what came of which plane. `R_map_scan` turns the axes of the scan to those of `map`, `range_stddev` is the
 /// lidar's noise [m], >= 0. Without planes all but `alignability.points` and `plane_of_point` is empty or 0.
-Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_lidar, double range_stddev, const AlignabilityOptions& options);
+Explanation explain(const Scan& scan, const Eigen::Matrix3d& R_map_scan, double range_stddev, const AlignabilityOptions& options);
 
 /// What α is worth to a planner: blind below alpha_critical, safe from alpha_safe on.
 enum class Verdict { blind, poor, safe };

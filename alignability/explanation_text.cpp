@@ -2,7 +2,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numbers>
 
 #include "alignability/explanation.hpp"
 #include "core/pose.hpp"
@@ -36,10 +35,12 @@ std::string axis_text(const Eigen::Vector3d& unit) {
   return std::abs(heading - 90.0) <= kOnAxis ? "y" : "heading " + whole_degrees(heading);
 }
 
-// The directions in which a scan is held least, as many as are about equally weak: the last columns of `axes`.
-int weak_dimensions(const Eigen::Vector3d& eigenvalues) {
-  const double alike = kAlike * eigenvalues[2] + kNothing * eigenvalues[0];
-  return eigenvalues[0] <= alike ? 3 : eigenvalues[1] <= alike ? 2 : 1;
+// The directions in which a scan is held least, as many as are about equally weak: the last of the scan's dimensions in `axes`.
+int weak_dimensions(const Alignability& result) {
+  const double alike = kAlike * result.eigenvalues[result.dimensions - 1] + kNothing * result.eigenvalues[0];
+  int weak = 1;
+  while (weak < result.dimensions && result.eigenvalues[result.dimensions - 1 - weak] <= alike) ++weak;
+  return weak;
 }
 
 struct Group {
@@ -72,9 +73,15 @@ struct Sides {
 };
 
 Sides sides_of(const Explanation& explanation, int dimensions) {
+  const int last = explanation.alignability.dimensions - 1;
   Sides sides;
   for (const ExplainedPlane& plane : explanation.planes) {
-    const bool faces = (explanation.axes.rightCols(dimensions).transpose() * plane.normal).norm() > std::numbers::sqrt2 / 2.0;
+    double squares = 0.0;  // cos² of the angle to where it is held least
+    for (int weak = 0; weak < dimensions; ++weak) {
+      const double along = explanation.axes.col(last - weak).dot(plane.normal);
+      squares += along * along;
+    }
+    const bool faces = squares > 0.5;
     Group& group = (faces ? sides.facing : sides.others)[plane.kind];
     group.share += plane.share;
     ++group.planes;
@@ -83,10 +90,11 @@ Sides sides_of(const Explanation& explanation, int dimensions) {
 }
 
 std::string reason(const Explanation& explanation) {
-  const int dimensions = weak_dimensions(explanation.alignability.eigenvalues);
+  const int dimensions = weak_dimensions(explanation.alignability);
   const auto [facing, others] = sides_of(explanation, dimensions);
   const std::string place = weakest_text(explanation);
-  if (dimensions == 3) return "the scan is held " + place + ": the normals are of " + groups_text(facing) + '.';
+  if (dimensions == explanation.alignability.dimensions)
+    return "the scan is held " + place + ": the normals are of " + groups_text(facing) + '.';
   if (facing.empty()) return "nothing faces " + place + ": the normals are of " + groups_text(others) + '.';
   const std::string rest = others.empty() ? "." : "; those of " + groups_text(others) + " do not.";
   return "the scan is held least " + place + ". Of the normals, those of " + groups_text(facing) + " face that way" + rest;
@@ -125,8 +133,8 @@ std::string direction_text(const Eigen::Vector3d& unit) {
 
 std::string weakest_text(const Explanation& explanation) {
   if (explanation.planes.empty()) return "";
-  const int dimensions = weak_dimensions(explanation.alignability.eigenvalues);
-  if (dimensions == 3) return "in every direction alike";
+  const int dimensions = weak_dimensions(explanation.alignability);
+  if (dimensions == explanation.alignability.dimensions) return "in every direction alike";
   if (dimensions == 1) return "along " + axis_text(explanation.weakest_axis());
   const std::string strongest = axis_text(explanation.axes.col(0));
   return strongest == "the vertical" ? "in any horizontal direction" : "in any direction square to " + strongest;
@@ -137,7 +145,9 @@ std::string sentence(const Explanation& explanation, const RiskOptions& risk) {
   const std::string head =
       capitalized(std::string(to_string(verdict(result.alpha, risk)))) + ", alpha " + fixed_text(result.alpha, 3) + ": ";
   if (result.points == 0) return head + "nothing came back.";
-  if (explanation.planes.empty()) return head + "there is no plane among the " + std::to_string(result.points) + " points.";
+  if (explanation.planes.empty())
+    return head + (result.dimensions == 2 ? std::string("there is no line among the ") : std::string("there is no plane among the ")) +
+           std::to_string(result.points) + " points.";
 
   std::string text = head + reason(explanation);
   if (result.alpha >= kNothing && explanation.noise >= kWorthMentioning) {

@@ -12,14 +12,14 @@ constexpr double kRounding = 1e-12;
 
 }  // namespace
 
-PlanarInformation planar_information(std::span<const MergedPlane> planes, const Eigen::Isometry3d& T_base_lidar, double stddev,
+PlanarInformation planar_information(std::span<const MergedPlane> planes, const Eigen::Isometry3d& T_base_scan, double stddev,
                                      int points_a_vote) {
   Eigen::Matrix3d matrix = Eigen::Matrix3d::Zero();
   for (const MergedPlane& plane : planes) {
     if (plane.is_strip) continue;
-    const Eigen::Vector3d normal = T_base_lidar.linear() * plane.own_normal;
-    const Eigen::Vector3d center = T_base_lidar * plane.shape.center;
-    const Eigen::Matrix3d axes = T_base_lidar.linear() * plane.shape.axes;
+    const Eigen::Vector3d normal = T_base_scan.linear() * plane.own_normal;
+    const Eigen::Vector3d center = T_base_scan * plane.shape.center;
+    const Eigen::Matrix3d axes = T_base_scan.linear() * plane.shape.axes;
     // (p × n)_z is linear in p: its mean and variance come from those of the points.
     const Eigen::Vector3d along(normal.y(), -normal.x(), 0.0);
     const double lever = center.dot(along);

@@ -19,9 +19,9 @@ namespace alignability {
 namespace {
 
 ScoredPlace score_of(const Scan& scan, const PosedScan& posed, const LogMapOptions& options, Scorer& scorer) {
-  const Eigen::Isometry3d& T_base_lidar = options.alignability.T_base_lidar;
-  const Eigen::Isometry3d T_map_base = posed.T_map_lidar * T_base_lidar.inverse();
-  return {T_map_base, detail::in_map(scorer.alignability(scan), T_map_base.linear(), T_base_lidar.linear())};
+  const Eigen::Isometry3d& T_base_scan = options.alignability.T_base_scan;
+  const Eigen::Isometry3d T_map_base = posed.T_map_lidar * T_base_scan.inverse();
+  return {T_map_base, detail::in_map(scorer.alignability(scan), T_map_base.linear(), T_base_scan.linear())};
 }
 
 std::string to_yaml(const LogMapOptions& options) {

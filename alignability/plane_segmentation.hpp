@@ -19,6 +19,13 @@ enum class Engine {
 
 inline constexpr int kMostStride = 4;
 
+/// What a scan is of: surfaces in space, or the lines in which a level ring meets upright ones.
+enum class Dimensions {
+  automatic,  ///< two where the scan is one ring whose returns all lie in the lidar's xy plane, else three; three with PCL
+  two,
+  three,
+};
+
 /// How a scan is cut into smooth segments: normals, then region growing (Rabbani et al. 2006), with the numbers of Nobili et al. where
 /// the paper gives none.
 struct SegmentationOptions {
@@ -28,11 +35,14 @@ struct SegmentationOptions {
   double smoothness = radians(3);  ///< [rad] largest angle between the normals of a point and its neighbour
   double curvature = 1.0;          ///< a point above it grows no further
   int min_points = 50;             ///< a smaller segment is none
+  int min_line_points = 10;        ///< likewise in two dimensions
   /// Normals and votes of every n-th column alone, neighbours among all points; a scan without order has no columns, and all its points
   /// vote. Segments then grow over those neighbours that vote, at most √n · `smoothness` apart, and `min_points` counts the columns
   /// between. 1 to kMostStride: the growing neighbours of a point would hold no voters beyond.
   int stride = 1;
   Engine engine = Engine::native;
+  /// In two dimensions x and y alone count: the normals are those of lines, and level.
+  Dimensions dimensions = Dimensions::automatic;
 };
 
 struct Segmentation {

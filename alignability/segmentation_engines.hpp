@@ -10,7 +10,7 @@
 
 namespace alignability::detail {
 
-/// The native engine with its memory, which it keeps from scan to scan. One a thread.
+/// The native engine with its memory, which it keeps from scan to scan; `automatic` dimensions are three to it. One a thread.
 class NativeSegmenter {
  public:
   /// The result is valid until the next call.
@@ -29,6 +29,8 @@ class NativeSegmenter {
   void finish(Group& group, const Scan& scan, const SegmentationOptions& options);
   void link(const Group& group);
   void take_normals(const Group& group, const Scan& scan, int neighbours);
+  void take_line_normals(const Group& group, const Scan& scan);
+  void set_normal(std::int32_t slot, const Scan& scan, Eigen::Vector3f normal, float curvature);
 
   PointBlocks blocks_;
   NearestPoints nearest_;
@@ -37,7 +39,10 @@ class NativeSegmenter {
   Segmentation result_;
 };
 
-/// By PCL, which knows no stride.
+/// Whether a scan is one ring whose returns all lie in the lidar's xy plane; also where none came back.
+bool lies_in_xy(const Scan& scan, double range_min);
+
+/// By PCL, which knows neither a stride nor two dimensions.
 Segmentation segment_with_pcl(const Scan& scan, const SegmentationOptions& options);
 
 }  // namespace alignability::detail

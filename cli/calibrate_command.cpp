@@ -114,8 +114,8 @@ Calibration checked_calibration(const std::vector<std::unique_ptr<Site>>& sites,
   for (const auto& site : sites) {
     const DriveOptions drive = drive_options_of(site->file, site->problem_file, options);
     if (drive.localizers.size() > 1) throw std::invalid_argument("an error model is one localizer's: name it by --localizer");
-    const LidarModel lidar = lidar_of(site->file, site->problem_file, options);
-    const Calibration calibration = calibration_of(drive, 0, lidar, site->file.range_max);
+    const SensorRig sensor = sensor_of(site->file, site->problem_file, options);
+    const Calibration calibration = calibration_of(drive, 0, sensor, site->file.range_max);
     if (!first) first = calibration;
     const std::vector<std::string> differences = mismatches(*first, calibration);
     if (!differences.empty())

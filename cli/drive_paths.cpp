@@ -26,7 +26,7 @@ std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& s
   for (const DrivenPath& path : paths) ways.push_back(path.path);
   ProgressBar bar("drives");
   trials.progress = bar.callback();
-  std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.lidar, site.map, ways, trials);
+  std::vector<std::vector<Drive>> drives = drive_trials(site.scene, site.sensor, site.map, ways, trials);
   for (std::size_t i = 0; i < paths.size(); ++i) paths[i].runs = std::move(drives[i]);
   return paths;
 }

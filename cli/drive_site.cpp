@@ -30,15 +30,15 @@ std::vector<Localizer> localizers_of(const std::vector<std::string>& names) {
 }
 
 // What the localizers know of the site, made as a robot would make it.
-std::vector<Eigen::Vector3f> map_cloud(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+std::vector<Eigen::Vector3f> map_cloud(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                        const DriveOptions& drive, const DriveSiteOptions& options, std::stop_token stop) {
   ProgressBar bar("localizer's map");
   const SurveyOptions survey_options{
       .range_max = drive.range_max, .floor = drive.floor, .threads = options.threads, .progress = bar.callback(), .stop = stop};
-  if (options.moved == 0.0) return survey(scene, occupancy, lidar, survey_options);
+  if (options.moved == 0.0) return survey(scene, occupancy, sensor, survey_options);
   MovedObjects site = with_moved_objects(scene.meshes(), options.moved, options.seed);
   std::cerr << site.moved << " of " << site.movable << " loose objects moved in the localizer's map\n";
-  return survey(Scene(std::move(site.meshes)), occupancy, lidar, survey_options);
+  return survey(Scene(std::move(site.meshes)), occupancy, sensor, survey_options);
 }
 
 }  // namespace
@@ -71,25 +71,25 @@ DriveOptions drive_options_of(const ProblemFile& problem, const std::filesystem:
   return drive;
 }
 
-LidarModel lidar_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
-  LidarModel lidar = read_lidar_model(named(problem.sensor, "sensor", problem_file));
-  lidar.range_stddev = options.noise.value_or(lidar.range_stddev);
-  return lidar;
+SensorRig sensor_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options) {
+  SensorRig sensor = read_sensor_rig(named(problem.sensor, "sensor", problem_file));
+  for (LidarModel& lidar : sensor.lidars) lidar.range_stddev = options.noise.value_or(lidar.range_stddev);
+  return sensor;
 }
 
 DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::path& problem_file, const OccupancyMap& occupancy,
                           const DriveSiteOptions& options, std::stop_token stop) {
   DriveOptions drive = drive_options_of(problem, problem_file, options);
-  LidarModel lidar = lidar_of(problem, problem_file, options);
+  SensorRig sensor = sensor_of(problem, problem_file, options);
   const std::filesystem::path& scene_file = named(problem.scene, "scene", problem_file);
   const Scene scene = read_scene(scene_file, options.reading);
   if (options.moved > 0.0 && !scene.discs().empty()) {
     throw InputError(scene_file, "is a point cloud, in which nothing can be told apart that --moved could move");
   }
-  const std::vector<Eigen::Vector3f> cloud = map_cloud(scene, occupancy, lidar, drive, options, stop);
+  const std::vector<Eigen::Vector3f> cloud = map_cloud(scene, occupancy, sensor, drive, options, stop);
   LocalizationMap map(cloud, drive.localizer, drive.localizers);
   TrialOptions trials{.drive = std::move(drive), .seed = options.seed, .threads = options.threads, .stop = stop};
-  return {scene, std::move(lidar), std::move(map), std::move(trials)};
+  return {scene, std::move(sensor), std::move(map), std::move(trials)};
 }
 
 }  // namespace alignability::cli

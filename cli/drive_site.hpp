@@ -34,12 +34,12 @@ std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions&
 DriveOptions drive_options_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options);
 
 /// The problem's sensor as it is driven. Throws InputError.
-LidarModel lidar_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options);
+SensorRig sensor_of(const ProblemFile& problem, const std::filesystem::path& problem_file, const DriveSiteOptions& options);
 
 /// A site to drive in.
 struct DriveSite {
   Scene scene;
-  LidarModel lidar;
+  SensorRig sensor;
   LocalizationMap map;
   TrialOptions trials;  ///< all but the number of runs and the progress
 };

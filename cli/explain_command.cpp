@@ -17,8 +17,8 @@
 #include "core/range.hpp"
 #include "core/yaml_map.hpp"
 #include "costmap/map_server.hpp"
-#include "lidar/lidar_model.hpp"
 #include "lidar/scene.hpp"
+#include "lidar/sensor_rig.hpp"
 #include "lidar/simulate_scan.hpp"
 #include "pictures/scan_picture.hpp"
 #include "planner/plan_problem.hpp"
@@ -88,13 +88,14 @@ std::optional<OccupancyMap> read_occupancy(const Options& options) {
   return map;
 }
 
-void check_place(const Options& options, const Scene& scene, const Eigen::Isometry3d& T_map_lidar) {
+void check_place(const Options& options, const Scene& scene, const SensorRig& sensor, const Eigen::Isometry3d& T_map_base) {
   const Eigen::AlignedBox3f bounds = scene.bounds();
   const Eigen::Vector2f place = options.place().cast<float>();
   if (!(place.array() >= bounds.min().head<2>().array()).all() || !(place.array() <= bounds.max().head<2>().array()).all()) {
     fail_off(options, *options.scene, bounds.min().head<2>().cast<double>(), bounds.max().head<2>().cast<double>());
   }
-  if (!scene.is_free(T_map_lidar.translation().cast<float>(), kSensorClearance)) {
+  for (const LidarModel& lidar : sensor.lidars) {
+    if (scene.is_free((T_map_base * lidar.T_base_lidar).translation().cast<float>(), kSensorClearance)) continue;
     throw InputError(*options.scene, "at " + options.place_text() + " the sensor would be in a surface or within " +
                                          fixed_text(kSensorClearance, 1) + " m of one");
   }
@@ -107,19 +108,19 @@ struct MapCell {
   double iqr = 0.0;
 };
 
-void warn_of_differences(const Options& options, const AlignabilityMap& map, const LidarModel& lidar) {
+void warn_of_differences(const Options& options, const AlignabilityMap& map, const SensorRig& sensor) {
   const auto warn = [&](const std::string& what) {
     std::cerr << "warning: " << options.alignability->string() << " was made " << what << '\n';
   };
-  if (map.sensor != lidar.yaml) warn("with another sensor file");
+  if (map.sensor != sensor.yaml) warn("with another sensor file");
   const auto range_max = YamlMap::from_text(map.options, *options.alignability).find_number("range_max", kPositive);
   if (range_max != options.range_max) warn(range_max ? "with --range-max " + to_text(*range_max) : "without --range-max");
 }
 
-std::optional<MapCell> read_map_cell(const Options& options, const LidarModel& lidar) {
+std::optional<MapCell> read_map_cell(const Options& options, const SensorRig& sensor) {
   if (!options.alignability) return std::nullopt;
   const AlignabilityMap map = read_alignability_map(*options.alignability);
-  warn_of_differences(options, map, lidar);
+  warn_of_differences(options, map, sensor);
   const Cell cell = cell_at(options, map.geometry, *options.alignability);
   const auto value = [&](const char* name) {
     const Grid<float>* const layer = map.find_layer(name);
@@ -147,6 +148,11 @@ Rest rest_of(const Explanation& explanation) {
   return rest;
 }
 
+std::string size_text(const ExplainedPlane& plane, int dimensions) {
+  const std::string length = fixed_text(plane.extents[0], 2);
+  return dimensions == 2 ? length + " m" : length + " x " + fixed_text(plane.extents[1], 2) + " m";
+}
+
 void print_table(const Explanation& explanation) {
   const auto row = [](const std::string& plane, const std::string& normal, const std::string& share, const std::string& distance,
                       const std::string& size, const std::string& holds) {
@@ -156,7 +162,7 @@ void print_table(const Explanation& explanation) {
   for (std::size_t i = 0; i < std::min(explanation.planes.size(), kNamedPlanes); ++i) {
     const ExplainedPlane& plane = explanation.planes[i];
     row(std::string(to_string(plane.kind)), direction_text(plane.normal), percent(plane.share), fixed_text(plane.distance, 2) + " m",
-        fixed_text(plane.extents[0], 2) + " x " + fixed_text(plane.extents[1], 2) + " m", percent(plane.holds));
+        size_text(plane, explanation.alignability.dimensions), percent(plane.holds));
   }
   if (const Rest rest = rest_of(explanation); rest.planes > 0) {
     row(std::to_string(rest.planes) + " smaller", "", percent(rest.share), "", "", percent(rest.holds));
@@ -168,6 +174,11 @@ void print_table(const Explanation& explanation) {
 
 std::string vector_text(const Eigen::Vector3d& vector, int decimals) {
   return fixed_text(vector.x(), decimals) + ", " + fixed_text(vector.y(), decimals) + ", " + fixed_text(vector.z(), decimals);
+}
+
+std::string eigenvalues_text(const Alignability& result) {
+  if (result.dimensions == 3) return vector_text(result.eigenvalues, 4);
+  return fixed_text(result.eigenvalues.x(), 4) + ", " + fixed_text(result.eigenvalues.y(), 4);
 }
 
 // "up", "heading 61 deg".
@@ -189,7 +200,7 @@ void print_explanation(const Explanation& explanation, std::span<const Reading> 
   if (!explanation.planes.empty()) {
     print_table(explanation);
     const Eigen::Vector3d axis = explanation.weakest_axis();
-    std::printf("%-15s%s\n", "eigenvalues", vector_text(explanation.alignability.eigenvalues, 4).c_str());
+    std::printf("%-15s%s\n", "eigenvalues", eigenvalues_text(explanation.alignability).c_str());
     std::printf("%-15s(%s) in map, %s\n", "weakest axis", vector_text(axis, 3).c_str(), axis_text(axis).c_str());
   }
   std::printf("%-15salpha %.3f\n", "this scan", explanation.alignability.alpha);
@@ -199,7 +210,7 @@ void print_explanation(const Explanation& explanation, std::span<const Reading> 
   if (cell) std::printf("%-15s%s\n", "map", map_text(*cell).c_str());
 }
 
-void draw(const Scan& scan, const Explanation& explanation, const Options& options, Verdict verdict, const Eigen::Isometry3d& T_map_lidar,
+void draw(const Scan& scan, const Explanation& explanation, const Options& options, Verdict verdict, const Eigen::Isometry3d& T_map_scan,
           const std::optional<OccupancyMap>& occupancy) {
   const Alignability& result = explanation.alignability;
   ScanPictureOptions picture;
@@ -208,7 +219,7 @@ void draw(const Scan& scan, const Explanation& explanation, const Options& optio
     picture.lines = {"held least " + weakest_text(explanation), "of the hold, " + percent(explanation.noise) + " is noise"};
     picture.weakest_direction = result.weakest_direction;
   }
-  picture.T_map_lidar = T_map_lidar;
+  picture.T_map_lidar = T_map_scan;
   if (occupancy) picture.occupancy = &*occupancy;
   for (const ExplainedPlane& plane : explanation.planes) {
     const bool level = plane.kind == PlaneKind::floor || plane.kind == PlaneKind::ceiling;
@@ -222,18 +233,18 @@ void draw(const Scan& scan, const Explanation& explanation, const Options& optio
 
 int run(Options options) {
   const RiskOptions risk = complete(options);
-  const LidarModel lidar = read_lidar_model(*options.sensor);
+  const SensorRig sensor = read_sensor_rig(*options.sensor);
   const std::optional<OccupancyMap> occupancy = read_occupancy(options);
-  const std::optional<MapCell> cell = read_map_cell(options, lidar);
+  const std::optional<MapCell> cell = read_map_cell(options, sensor);
   const Scene scene = read_scene(*options.scene, options.reading);
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   T_map_base.translation() << options.place(), options.floor;
-  const Eigen::Isometry3d T_map_lidar = T_map_base * lidar.T_base_lidar;
-  check_place(options, scene, T_map_lidar);
+  const Eigen::Isometry3d T_map_scan = T_map_base * sensor.T_base_scan();
+  check_place(options, scene, sensor, T_map_base);
 
-  const AlignabilityOptions scoring = for_lidar(options.scoring, lidar);
-  const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = options.range_max}, NoiseKey{.seed = options.seed});
-  const Explanation explanation = explain(scan, T_map_lidar.linear(), lidar.range_stddev, scoring);
+  const AlignabilityOptions scoring = for_lidar(options.scoring, sensor);
+  const Scan scan = simulate_rig_scan(scene, sensor, T_map_base, {.range_max = options.range_max}, NoiseKey{.seed = options.seed});
+  const Explanation explanation = explain(scan, T_map_scan.linear(), sensor.range_stddev(), scoring);
 
   const Verdict judged = verdict(explanation.alignability.alpha, risk);
   const std::string why = sentence(explanation, risk);
@@ -241,7 +252,7 @@ int run(Options options) {
   add_readings(json, explanation.alignability.readings, scoring.readings);
   json["map"] = cell ? Json{{"alpha", cell->alpha}, {"samples", cell->samples}, {"iqr", cell->iqr}} : Json(nullptr);
   if (options.output) {
-    draw(scan, explanation, options, judged, T_map_lidar, occupancy);
+    draw(scan, explanation, options, judged, T_map_scan, occupancy);
     write_file(with_ending(output_name(*options.output), ".json"), json.dump(2) + '\n');
   }
   if (options.json) {

@@ -40,10 +40,10 @@ std::filesystem::path checkpoint_of(const MapCommandOptions& options) {
   return with_ending(output_name(options.output), whole ? ".part" : ".cells.part");
 }
 
-AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar, MapOptions options) {
+AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor, MapOptions options) {
   ProgressBar bar("alignability map");
   options.progress = telling_of_the_start(bar.callback(), *options.checkpoint);
-  return build_alignability_map(scene, occupancy, lidar, options);
+  return build_alignability_map(scene, occupancy, sensor, options);
 }
 
 void check_choice(const MapCommandOptions& options) {
@@ -72,11 +72,11 @@ std::optional<std::vector<Cell>> chosen_cells(const MapCommandOptions& options, 
 
 // At the start rather than at the end.
 void refuse_unless_alike(const std::filesystem::path& file, const AlignabilityMap& before, const Scene& scene,
-                         const OccupancyMap& occupancy, const LidarModel& lidar, MapOptions options) {
+                         const OccupancyMap& occupancy, const SensorRig& sensor, MapOptions options) {
   options.checkpoint.reset();
   options.cells.emplace();
   try {
-    updated(before, build_alignability_map(scene, occupancy, lidar, options), *options.cells);
+    updated(before, build_alignability_map(scene, occupancy, sensor, options), *options.cells);
   } catch (const std::invalid_argument& error) {
     throw InputError(file, error.what());
   }
@@ -86,17 +86,17 @@ int build_and_store(MapCommandOptions options) {
   check_choice(options);
   const Interrupt interrupt;
   const auto begin = std::chrono::steady_clock::now();
-  const LidarModel lidar = read_lidar_model(*options.sensor);
+  const SensorRig sensor = read_sensor_rig(*options.sensor);
   const OccupancyMap occupancy = read_occupancy_map(*options.occupancy);
   const Scene scene = read_scene(options.scene, options.reading);
-  options.map.alignability = for_lidar(options.map.alignability, lidar);
+  options.map.alignability = for_lidar(options.map.alignability, sensor);
   options.map.cells = chosen_cells(options, occupancy.geometry());
   const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;
   options.map.stop = interrupt.token();
-  if (before) refuse_unless_alike(*options.update, *before, scene, occupancy, lidar, options.map);
+  if (before) refuse_unless_alike(*options.update, *before, scene, occupancy, sensor, options.map);
   const std::filesystem::path name = output_name(options.output);
   options.map.checkpoint = checkpoint_of(options);
-  AlignabilityMap built = build(scene, occupancy, lidar, options.map);
+  AlignabilityMap built = build(scene, occupancy, sensor, options.map);
   built.provenance = provenance(options);
   store_map(before ? updated(*before, built, *options.map.cells) : built, occupancy, name);
   std::filesystem::remove(*options.map.checkpoint);

@@ -41,9 +41,9 @@ void write_files(const PlanProblem& problem, const RiskField& risk, const PlanRe
 void warn_of_mismatches(const ProblemFile& file, const AlignabilityMap& map) {
   Calibration used = map.error_model->calibration;
   if (file.sensor) {
-    const LidarModel lidar = read_lidar_model(*file.sensor);
-    used.sensor = lidar.name;
-    used.noise = lidar.range_stddev;
+    const SensorRig sensor = read_sensor_rig(*file.sensor);
+    used.sensor = sensor.name;
+    used.noise = sensor.range_stddev();
     used.range_max = file.range_max;
   }
   if (file.drive) {

@@ -5,9 +5,9 @@
 #include "cli/command.hpp"
 #include "cli/scene_options.hpp"
 #include "core/pose.hpp"
-#include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
 #include "lidar/scene.hpp"
+#include "lidar/sensor_rig.hpp"
 #include "lidar/simulate_scan.hpp"
 
 namespace alignability::cli {
@@ -26,16 +26,16 @@ struct Options {
 };
 
 int run(const Options& options) {
-  const LidarModel lidar = read_lidar_model(options.sensor);
+  const SensorRig sensor = read_sensor_rig(options.sensor);
   const Scene scene = read_scene(options.scene, options.reading);
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
   T_map_base.translation() << options.at[0], options.at[1], options.floor;
   T_map_base.rotate(Eigen::AngleAxisd(options.at[2], Eigen::Vector3d::UnitZ()));
   const auto noise = options.noise_free ? std::nullopt : std::optional(NoiseKey{.seed = options.seed});
-  const Scan scan = simulate_scan(scene, lidar, T_map_base * lidar.T_base_lidar, {.range_max = options.range_max}, noise);
+  const Scan scan = simulate_rig_scan(scene, sensor, T_map_base, {.range_max = options.range_max}, noise);
   write_pcd(scan, options.output);
   const auto returns = std::ranges::count_if(scan.points, [](const Eigen::Vector3f& point) { return point.allFinite(); });
-  std::cout << options.output.string() << ": " << scan.rings << " x " << scan.columns << " beams of " << lidar.name << ", " << returns
+  std::cout << options.output.string() << ": " << scan.rings << " x " << scan.columns << " beams of " << sensor.name << ", " << returns
             << " returns\n";
   return kYes;
 }
@@ -52,7 +52,8 @@ void add_scan(CLI::App& app, Work& work) {
   command->add_option("--range-max", options->range_max, "Drop returns beyond [m]")->check(CLI::PositiveNumber);
   command->add_option("--seed", options->seed, "Seed of the range noise")->capture_default_str();
   command->add_flag("--noise-free", options->noise_free, "Exact ranges");
-  command->add_option("-o,--output", options->output, "FILE.pcd, organized: a row a ring")->required();
+  command->add_option("-o,--output", options->output, "FILE.pcd, organized: a row a ring; of several lidars one row in base_link")
+      ->required();
   add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"

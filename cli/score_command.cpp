@@ -11,8 +11,9 @@
 #include "cli/scoring_options.hpp"
 #include "core/input_error.hpp"
 #include "core/range.hpp"
-#include "lidar/lidar_model.hpp"
 #include "lidar/scan_file.hpp"
+#include "lidar/sensor_rig.hpp"
+#include "lidar/simulate_scan.hpp"
 #include "pictures/scan_picture.hpp"
 
 namespace alignability::cli {
@@ -50,13 +51,24 @@ void print_header(std::span<const Reading> readings) {
   std::printf("\n");
 }
 
+Scan read_scan(const std::filesystem::path& file, const std::optional<SensorRig>& sensor) {
+  Scan scan = read_scan_file(file);
+  if (!sensor) return scan;
+  try {
+    return told_apart(std::move(scan), *sensor);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(file, error.what());
+  }
+}
+
 int run(Options options) {
   if (options.picture && options.scans.size() > 1) throw std::invalid_argument("--picture draws one scan; give one");
-  if (options.sensor) options.alignability = for_lidar(options.alignability, read_lidar_model(*options.sensor));
+  const auto sensor = options.sensor ? std::optional(read_sensor_rig(*options.sensor)) : std::nullopt;
+  if (sensor) options.alignability = for_lidar(options.alignability, *sensor);
   Scorer scorer(options.alignability);
   std::vector<Json> objects;
   for (const std::filesystem::path& file : options.scans) {
-    const Scan scan = read_scan_file(file);
+    const Scan scan = read_scan(file, sensor);
     const auto begin = std::chrono::steady_clock::now();
     const ScoredScan scored = scorer.score(scan);
     const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
@@ -78,7 +90,8 @@ void add_score(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
   command->add_option("scans", options->scans, "PCD or PLY files")->required();
-  command->add_option("--sensor", options->sensor, "Sensor file: least range, noise and mount (without: 0.5 m, 2 cm, upright)");
+  command->add_option("--sensor", options->sensor,
+                      "Sensor file: least range, noise, mounts, 2D or 3D (without: 0.5 m, 2 cm, upright, 2D where flat)");
   add_scoring_options(*command, options->alignability);
   command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a PNG");
   command->add_flag("--json", options->json, "Print JSON");

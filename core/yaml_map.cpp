@@ -138,6 +138,19 @@ std::optional<YamlMap> YamlMap::find_map(std::string_view key) {
   return YamlMap(*node, file_);
 }
 
+std::optional<std::vector<YamlMap>> YamlMap::find_maps(std::string_view key) {
+  const auto node = find(key);
+  if (!node) return std::nullopt;
+  const std::string message = in_quotes(key) + " must be a list of 'key: value' pairs";
+  if (!node->IsSequence()) fail_at(*node, message);
+  std::vector<YamlMap> maps;
+  for (const YAML::Node& item : *node) {
+    if (!item.IsMap()) fail_at(item, message);
+    maps.push_back(YamlMap(item, file_));
+  }
+  return maps;
+}
+
 double YamlMap::number(std::string_view key, const Range& allowed) {
   const auto value = find_number(key, allowed);
   return value ? *value : (fail_missing(key), 0.0);

@@ -52,6 +52,8 @@ class YamlMap {
   std::vector<std::string> texts(std::string_view key);
   std::optional<YamlMap> find_map(std::string_view key);
   YamlMap map(std::string_view key);
+  /// A list of mappings.
+  std::optional<std::vector<YamlMap>> find_maps(std::string_view key);
   /// The value whose name the key gives; a name that is none of `choices` is refused and the choices are listed.
   template <typename T, std::size_t N>
   std::optional<T> find_choice(std::string_view key, const std::pair<const char*, T> (&choices)[N]);

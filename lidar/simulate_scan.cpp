@@ -6,7 +6,10 @@
 #include <initializer_list>
 #include <limits>
 #include <random>
+#include <span>
 #include <stdexcept>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace alignability {
@@ -17,10 +20,12 @@ constexpr double kNoiseReach = 8.0;
 
 std::mt19937_64 engine_of(const NoiseKey& key) {
   std::vector<std::uint32_t> words;
-  for (const std::uint64_t word : {key.seed, key.cell, key.sample}) {
+  const auto add = [&words](std::uint64_t word) {
     words.push_back(static_cast<std::uint32_t>(word));
     words.push_back(static_cast<std::uint32_t>(word >> 32));
-  }
+  };
+  for (const std::uint64_t word : {key.seed, key.cell, key.sample}) add(word);
+  if (key.lidar > 0) add(key.lidar);  // the first has the numbers that it would have alone
   std::seed_seq sequence(words.begin(), words.end());
   return std::mt19937_64(sequence);
 }
@@ -30,6 +35,16 @@ void add_noise(std::vector<float>& ranges, double stddev, const NoiseKey& key) {
   // Boost's, because the standard leaves open which numbers std::normal_distribution draws.
   boost::random::normal_distribution<double> noise(0.0, stddev);
   for (float& range : ranges) range = static_cast<float>(range + noise(engine));
+}
+
+std::vector<ScanPart> parts_of(const SensorRig& rig) {
+  std::vector<ScanPart> parts;
+  std::size_t begin = 0;
+  for (const LidarModel& lidar : rig.lidars) {
+    parts.push_back({.begin = begin, .rings = lidar.rings(), .columns = lidar.columns(), .T_scan_lidar = lidar.T_base_lidar});
+    begin += parts.back().size();
+  }
+  return parts;
 }
 
 }  // namespace
@@ -50,12 +65,50 @@ Scan simulate_scan(const Scene& scene, const LidarModel& model, const Eigen::Iso
   std::vector<float> ranges = scene.cast(T_map_lidar.translation().cast<float>(), directions_in_map, static_cast<float>(reach));
   if (noisy) add_noise(ranges, model.range_stddev, *noise);
 
-  Scan scan{.points = {}, .rings = model.rings(), .columns = model.columns};
+  Scan scan{.points = {}, .rings = model.rings(), .columns = model.columns()};
   scan.points.reserve(ranges.size());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
     const bool seen = ranges[i] >= model.range_min && ranges[i] <= range_max;
     const float range = seen ? ranges[i] : std::numeric_limits<float>::quiet_NaN();
     scan.points.emplace_back(directions[i] * range);
+  }
+  return scan;
+}
+
+Scan simulate_rig_scan(const Scene& scene, const SensorRig& rig, const Eigen::Isometry3d& T_map_base, const ScanOptions& options,
+                       std::optional<NoiseKey> noise) {
+  if (rig.lidars.size() == 1) {
+    return simulate_scan(scene, rig.lidars.front(), T_map_base * rig.lidars.front().T_base_lidar, options, noise);
+  }
+  Scan joined;
+  joined.points.reserve(rig.beams());
+  for (std::size_t i = 0; i < rig.lidars.size(); ++i) {
+    const LidarModel& lidar = rig.lidars[i];
+    if (noise) noise->lidar = i;
+    const Scan scan = simulate_scan(scene, lidar, T_map_base * lidar.T_base_lidar, options, noise);
+    const Eigen::Isometry3f T_base_lidar = lidar.T_base_lidar.cast<float>();
+    for (const Eigen::Vector3f& point : scan.points) joined.points.emplace_back(T_base_lidar * point);
+  }
+  joined.columns = static_cast<int>(joined.points.size());
+  joined.parts = parts_of(rig);
+  return joined;
+}
+
+Scan told_apart(Scan scan, const SensorRig& rig) {
+  if (rig.lidars.size() == 1) return scan;
+  if (scan.points.size() != rig.beams()) {
+    throw std::invalid_argument("has " + std::to_string(scan.points.size()) + " points where the sensor's " +
+                                std::to_string(rig.lidars.size()) + " lidars have " + std::to_string(rig.beams()) + " beams");
+  }
+  scan.rings = 1;
+  scan.columns = static_cast<int>(scan.points.size());
+  scan.parts = parts_of(rig);
+  for (std::size_t i = 0; i < scan.parts.size(); ++i) {
+    const ScanPart& part = scan.parts[i];
+    for (Eigen::Vector3f& point : std::span(scan.points).subspan(part.begin, part.size())) {
+      const double range = (point.cast<double>() - part.T_scan_lidar.translation()).norm();
+      if (!(range >= rig.lidars[i].range_min)) point.setConstant(std::numeric_limits<float>::quiet_NaN());
+    }
   }
   return scan;
 }

@@ -25,8 +25,8 @@ Pose2 motion_between(const Pose2& from, const Pose2& to) {
   return {c * apart.x() + s * apart.y(), -s * apart.x() + c * apart.y(), normalized_angle(to.yaw - from.yaw)};
 }
 
-std::vector<Eigen::Vector3f> in_base(const Scan& scan, const Eigen::Isometry3d& T_base_lidar) {
-  const Eigen::Isometry3f T = T_base_lidar.cast<float>();
+std::vector<Eigen::Vector3f> in_base(const Scan& scan, const Eigen::Isometry3d& T_base_scan) {
+  const Eigen::Isometry3f T = T_base_scan.cast<float>();
   std::vector<Eigen::Vector3f> points;
   for (const Eigen::Vector3f& point : scan.points) {
     if (point.allFinite()) points.push_back(T * point);
@@ -78,9 +78,9 @@ std::vector<TimedPose> poses_along(std::span<const Pose2> path, const Pace& pace
   return poses;
 }
 
-Drive drive(const Scene& scene, const LidarModel& lidar, const LocalizationMap& map, std::span<const Pose2> path,
+Drive drive(const Scene& scene, const SensorRig& sensor, const LocalizationMap& map, std::span<const Pose2> path,
             const DriveOptions& options, std::uint64_t seed, std::stop_token stop) {
-  const std::vector<TimedPose> poses = poses_along(path, options.pace, 1.0 / lidar.rate);
+  const std::vector<TimedPose> poses = poses_along(path, options.pace, 1.0 / sensor.rate());
   Drive samples;
   if (poses.empty()) return samples;
   Odometry odometry(options.odometry, seed_of(seed, Part::odometry));
@@ -93,9 +93,8 @@ Drive drive(const Scene& scene, const LidarModel& lidar, const LocalizationMap& 
     if (stop.stop_requested()) throw Interrupted();
     const Pose2 motion = i > 0 ? odometry.report(motion_between(poses[i - 1].pose, poses[i].pose)) : Pose2{};
     const NoiseKey noise{.seed = seed_of(seed, Part::ranges), .cell = i, .sample = 0};
-    const Eigen::Isometry3d T_map_lidar = T_map_base(poses[i].pose, options.floor) * lidar.T_base_lidar;
-    const Scan scan = simulate_scan(scene, lidar, T_map_lidar, {.range_max = options.range_max}, noise);
-    const std::vector<Eigen::Vector3f> points = in_base(scan, lidar.T_base_lidar);
+    const Scan scan = simulate_rig_scan(scene, sensor, T_map_base(poses[i].pose, options.floor), {.range_max = options.range_max}, noise);
+    const std::vector<Eigen::Vector3f> points = in_base(scan, sensor.T_base_scan());
     const Ndt ndt(points, options.localizer.ndt);
     DriveSample sample{poses[i], {}};
     for (RunningLocalizer& localizer : localizers) {

@@ -108,10 +108,10 @@ Fit fit_with(const std::vector<Stations>& all, int count, double poor, double ri
 
 }  // namespace
 
-Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, const LidarModel& lidar, std::optional<double> range_max) {
+Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, const SensorRig& sensor, std::optional<double> range_max) {
   return {.localizer = to_string(drive.localizers.at(localizer)),
-          .sensor = lidar.name,
-          .noise = lidar.range_stddev,
+          .sensor = sensor.name,
+          .noise = sensor.range_stddev(),
           .range_max = range_max,
           .scale_bias = drive.odometry.scale_bias};
 }

@@ -14,7 +14,7 @@
 namespace alignability {
 
 /// For what a model is fitted: one localizer of a drive, given by number.
-Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, const LidarModel& lidar, std::optional<double> range_max);
+Calibration calibration_of(const DriveOptions& drive, std::size_t localizer, const SensorRig& sensor, std::optional<double> range_max);
 
 /// Paths that are driven on one site, and its α.
 struct SitePaths {

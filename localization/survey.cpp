@@ -50,7 +50,8 @@ class ThinnedCloud {
   std::vector<Sum> sums_;
 };
 
-std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+// Poses of the robot.
+std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                       const SurveyOptions& options) {
   const GridGeometry& grid = occupancy.geometry();
   std::vector<Eigen::Isometry3d> poses;
@@ -58,33 +59,38 @@ std::vector<Eigen::Isometry3d> places(const Scene& scene, const OccupancyMap& oc
     for (double x = grid.origin.x() + 0.5 * options.spacing; x < grid.upper_corner().x(); x += options.spacing) {
       const auto cell = grid.cell_near({x, y});
       if (!cell || !occupancy.is_free(*cell)) continue;
-      const Eigen::Isometry3d T_map_lidar = Eigen::Translation3d(x, y, options.floor) * lidar.T_base_lidar;
-      if (scene.is_free(T_map_lidar.translation().cast<float>(), kSensorClearance)) poses.push_back(T_map_lidar);
+      const Eigen::Isometry3d T_map_base(Eigen::Translation3d(x, y, options.floor));
+      const auto is_free = [&](const LidarModel& lidar) {
+        return scene.is_free((T_map_base * lidar.T_base_lidar).translation().cast<float>(), kSensorClearance);
+      };
+      if (std::ranges::all_of(sensor.lidars, is_free)) poses.push_back(T_map_base);
     }
   }
   return poses;
 }
 
-Eigen::Isometry3f above_floor(Eigen::Isometry3d T_map_lidar, double floor) {
-  T_map_lidar.translation().z() -= floor;
-  return T_map_lidar.cast<float>();
+Eigen::Isometry3f above_floor(Eigen::Isometry3d T_map_scan, double floor) {
+  T_map_scan.translation().z() -= floor;
+  return T_map_scan.cast<float>();
 }
 
 }  // namespace
 
-std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                     const SurveyOptions& options) {
   for (const double length : {options.spacing, options.thinning}) {
     if (!kPositive.contains(length)) throw std::invalid_argument("the spacing and the thinning of a survey must be greater than 0");
   }
-  const std::vector<Eigen::Isometry3d> poses = places(scene, occupancy, lidar, options);
+  const std::vector<Eigen::Isometry3d> poses = places(scene, occupancy, sensor, options);
   ThinnedCloud cloud(options.thinning);
   for (std::size_t begin = 0; begin < poses.size(); begin += kScansAtOnce) {
     if (options.stop.stop_requested()) throw Interrupted();
     std::vector<Scan> scans(std::min(kScansAtOnce, poses.size() - begin));
     in_parallel(scans.size(), options.threads,
-                [&](std::size_t i) { scans[i] = simulate_scan(scene, lidar, poses[begin + i], {.range_max = options.range_max}); });
-    for (std::size_t i = 0; i < scans.size(); ++i) cloud.add(scans[i].points, above_floor(poses[begin + i], options.floor));
+                [&](std::size_t i) { scans[i] = simulate_rig_scan(scene, sensor, poses[begin + i], {.range_max = options.range_max}); });
+    for (std::size_t i = 0; i < scans.size(); ++i) {
+      cloud.add(scans[i].points, above_floor(poses[begin + i] * sensor.T_base_scan(), options.floor));
+    }
     if (options.progress) options.progress({begin + scans.size(), poses.size()});
   }
   return cloud.points();

@@ -8,8 +8,8 @@
 
 #include "core/progress.hpp"
 #include "costmap/occupancy_map.hpp"
-#include "lidar/lidar_model.hpp"
 #include "lidar/scene.hpp"
+#include "lidar/sensor_rig.hpp"
 
 namespace alignability {
 
@@ -27,7 +27,7 @@ struct SurveyOptions {
 /// but for z, which counts from the floor,
 /// and not the far sides of walls, which would blur the cells that they share with the near ones. The same cloud for any number of threads.
 /// Throws std::invalid_argument for options out of range, and Interrupted.
-std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const LidarModel& lidar,
+std::vector<Eigen::Vector3f> survey(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                     const SurveyOptions& options);
 
 }  // namespace alignability

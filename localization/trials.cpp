@@ -8,7 +8,7 @@
 
 namespace alignability {
 
-std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const LidarModel& lidar, const LocalizationMap& map,
+std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const SensorRig& sensor, const LocalizationMap& map,
                                              std::span<const std::vector<Pose2>> paths, const TrialOptions& options) {
   if (options.runs < 1) throw std::invalid_argument("a path must be driven at least once");
   const auto runs = static_cast<std::size_t>(options.runs);
@@ -22,7 +22,7 @@ std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const LidarMode
   in_parallel(paths.size() * runs, options.threads, [&](std::size_t number) {
     const std::size_t path = number / runs;
     const std::size_t run = number % runs;
-    drives[path][run] = drive(scene, lidar, map, paths[path], options.drive, options.seed + run, options.stop);
+    drives[path][run] = drive(scene, sensor, map, paths[path], options.drive, options.seed + run, options.stop);
     const std::scoped_lock lock(mutex);
     ++progress.done;
     report();

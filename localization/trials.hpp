@@ -22,7 +22,7 @@ struct TrialOptions {
 
 /// Drives each path several times, with the same errors on every path (paired). By path, then by run; the same whatever the number of
 /// threads. Throws Interrupted, and std::invalid_argument for options out of range.
-std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const LidarModel& lidar, const LocalizationMap& map,
+std::vector<std::vector<Drive>> drive_trials(const Scene& scene, const SensorRig& sensor, const LocalizationMap& map,
                                              std::span<const std::vector<Pose2>> paths, const TrialOptions& options);
 
 }  // namespace alignability

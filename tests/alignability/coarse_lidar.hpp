@@ -10,9 +10,7 @@ namespace alignability::test {
 inline LidarModel coarse_lidar() {
   LidarModel lidar;
   for (int ring = 0; ring < 16; ++ring) lidar.elevations.push_back(radians(-40.0 + 5.0 * ring));
-  lidar.azimuth_min = radians(-180);
-  lidar.azimuth_max = radians(180);
-  lidar.columns = 360;
+  lidar.sectors = {{.min = radians(-180), .max = radians(180), .columns = 360}};
   lidar.range_min = 0.1;
   lidar.range_max = 20.0;
   lidar.range_stddev = 0.005;

@@ -102,7 +102,7 @@ TEST_F(LogOfARoom, TurnsWeakestDirectionsIntoTheMap) {
 
 TEST_F(LogOfARoom, PutsAScanInTheCellOfTheRobotNotOfItsLidar) {
   LogMapOptions with = options();
-  with.alignability.T_base_lidar.translation() = Eigen::Vector3d(0.7, 0.0, 1.0);
+  with.alignability.T_base_scan.translation() = Eigen::Vector3d(0.7, 0.0, 1.0);
   const std::vector<PosedScan> scans{taken_at(2.5, 1.5, 0.0)};
   const std::vector<ScoredPlace> places = score_log(scans, with);
   EXPECT_TRUE(places.front().T_map_base.translation().isApprox(Eigen::Vector3d(1.8, 1.5, 0.0)));

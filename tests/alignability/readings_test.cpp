@@ -139,9 +139,9 @@ TEST(Information, IsOfTheRobotWhereverItsLidarIsMounted) {
       noisy_scan(test::floor_and({test::box({3.0, -50.0, 0.0}, {3.2, 50.0, 4.0}), test::box({-50.0, 2.0, 0.0}, {50.0, 2.2, 4.0})}));
   const PlanarInformation level = score(seen, reading({Reading::information})).alignability.readings.information;
   AlignabilityOptions options = reading({Reading::information});
-  options.T_base_lidar = Eigen::Translation3d(0.4, -0.2, 1.9) * Eigen::AngleAxisd(0.5, Eigen::Vector3d(0.2, -0.3, 1.0).normalized());
+  options.T_base_scan = Eigen::Translation3d(0.4, -0.2, 1.9) * Eigen::AngleAxisd(0.5, Eigen::Vector3d(0.2, -0.3, 1.0).normalized());
   Scan turned = seen;
-  const Eigen::Isometry3f T_lidar_base = options.T_base_lidar.inverse().cast<float>();
+  const Eigen::Isometry3f T_lidar_base = options.T_base_scan.inverse().cast<float>();
   for (Eigen::Vector3f& point : turned.points) point = T_lidar_base * (point + Eigen::Vector3f(0.0f, 0.0f, 1.9f));
   const PlanarInformation mounted = score(turned, options).alignability.readings.information;
   EXPECT_NEAR(mounted.least, level.least, 0.02 * level.least);
@@ -230,7 +230,7 @@ TEST(ForLidar, TakesLeastRangeNoiseAndMountFromTheModel) {
   const AlignabilityOptions options = for_lidar({}, lidar);
   EXPECT_EQ(options.segmentation.range_min, lidar.range_min);
   EXPECT_EQ(options.range_stddev, lidar.range_stddev);
-  EXPECT_TRUE(options.T_base_lidar.isApprox(lidar.T_base_lidar));
+  EXPECT_TRUE(options.T_base_scan.isApprox(lidar.T_base_lidar));
   LidarModel silent = lidar;
   silent.range_stddev = 0.0;
   EXPECT_GT(for_lidar({}, silent).range_stddev, 0.0);

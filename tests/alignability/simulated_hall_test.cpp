@@ -28,9 +28,7 @@ Scene hall() {
 LidarModel hall_lidar() {
   LidarModel lidar;
   for (int ring = 0; ring < 16; ++ring) lidar.elevations.push_back(std::atan(std::sin(radians(-15.0 + 1.875 * ring))));
-  lidar.azimuth_min = radians(-180);
-  lidar.azimuth_max = radians(180);
-  lidar.columns = 1800;
+  lidar.sectors = {{.min = radians(-180), .max = radians(180), .columns = 1800}};
   lidar.range_min = 0.1;
   lidar.range_max = 100.0;
   return lidar;

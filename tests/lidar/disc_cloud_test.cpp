@@ -151,7 +151,7 @@ TEST(DiscScene, AScanOfSampledSurfacesIsNearlyThatOfTheSurfaces) {
   LidarModel lidar = test::small_lidar();
   lidar.elevations.clear();
   for (int i = 0; i < 20; ++i) lidar.elevations.push_back(-0.5 + 0.05 * i);
-  lidar.columns = 360;
+  lidar.sectors.front().columns = 360;
   const Eigen::Isometry3d pose(Eigen::Translation3d(-1.0, 0.3, 0.2));
   const Scan expected = simulate_scan(truth, lidar, pose), got = simulate_scan(sampled, lidar, pose);
   std::size_t missed = 0, off = 0;

@@ -49,9 +49,7 @@ inline double volume(const TriangleMesh& mesh) {
 inline LidarModel small_lidar() {
   LidarModel model;
   model.elevations = {-0.3, 0.0, 0.3};
-  model.azimuth_min = -std::numbers::pi;
-  model.azimuth_max = std::numbers::pi;
-  model.columns = 12;
+  model.sectors = {{.min = -std::numbers::pi, .max = std::numbers::pi, .columns = 12}};
   model.range_min = 0.5;
   model.range_max = 50.0;
   model.rate = 10.0;

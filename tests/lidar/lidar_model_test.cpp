@@ -27,7 +27,7 @@ TEST(LidarModel, ReadsASensorFile) {
   EXPECT_EQ(model.name, "Velodyne HDL-32E");
   EXPECT_EQ(model.rings(), 32);
   EXPECT_NEAR(model.elevations[1] - model.elevations[0], 1.3335 * kPi / 180, 1e-4);
-  EXPECT_EQ(model.columns, 2170);
+  EXPECT_EQ(model.columns(), 2170);
   EXPECT_EQ(model.range_max, 100.0);
   EXPECT_EQ(model.range_stddev, 0.008);
   EXPECT_EQ(model.yaml, kHdl32);
@@ -52,6 +52,35 @@ TEST(LidarModel, ElevationsMayBeAList) {
   EXPECT_TRUE(model.T_base_lidar.isApprox(Eigen::Isometry3d::Identity()));
 }
 
+TEST(LidarModel, RingsMayBeATableOfElevationsAndAzimuthOffsets) {
+  const LidarModel model = parse_lidar_model(
+      "{name: a, rings_deg: [[10, 3], [-10, -3]], azimuth_deg: {min: -45, max: 45, count: 3}, range: {min: 0, max: 9, stddev: 0}, rate: 1}",
+      "a.yaml");
+  ASSERT_EQ(model.rings(), 2);
+  const auto directions = beam_directions(model);
+  ASSERT_EQ(directions.size(), 6u);
+  const double deg = kPi / 180;
+  EXPECT_NEAR(std::asin(directions[0].z()), 10 * deg, 1e-6);
+  EXPECT_NEAR(std::atan2(directions[0].y(), directions[0].x()), -42 * deg, 1e-6);
+  EXPECT_NEAR(std::asin(directions[5].z()), -10 * deg, 1e-6);
+  EXPECT_NEAR(std::atan2(directions[5].y(), directions[5].x()), 42 * deg, 1e-6);
+}
+
+TEST(LidarModel, AzimuthsMayBeSectors) {
+  const LidarModel model = parse_lidar_model(
+      "{name: a, elevation_deg: [0], azimuth_deg: [{min: -150, max: -30, count: 3}, {min: 0, max: 0, count: 1}, {min: 30, max: 150, count: "
+      "5}], "
+      "range: {min: 0, max: 9, stddev: 0}, rate: 1}",
+      "a.yaml");
+  EXPECT_EQ(model.columns(), 9);
+  EXPECT_FALSE(model.full_circle());
+  std::vector<double> azimuths;
+  for (const Eigen::Vector3f& direction : beam_directions(model)) {
+    azimuths.push_back(std::round(std::atan2(direction.y(), direction.x()) * 180 / kPi));
+  }
+  EXPECT_THAT(azimuths, testing::ElementsAre(-150, -90, -30, 0, 30, 60, 90, 120, 150));
+}
+
 TEST(LidarModel, BeamsOfAFullCircleDoNotRepeatTheFirst) {
   LidarModel model = test::small_lidar();
   const auto directions = beam_directions(model);
@@ -66,9 +95,7 @@ TEST(LidarModel, BeamsOfAFullCircleDoNotRepeatTheFirst) {
 TEST(LidarModel, BeamsOfALimitedFieldOfViewReachBothEnds) {
   LidarModel model = test::small_lidar();
   model.elevations = {0.0};
-  model.azimuth_min = -1.0;
-  model.azimuth_max = 1.0;
-  model.columns = 5;
+  model.sectors = {{.min = -1.0, .max = 1.0, .columns = 5}};
   const auto directions = beam_directions(model);
   EXPECT_NEAR(std::atan2(directions.front().y(), directions.front().x()), -1.0, 1e-6);
   EXPECT_NEAR(std::atan2(directions.back().y(), directions.back().x()), 1.0, 1e-6);
@@ -110,6 +137,44 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"RangesReversed", "max: 100", "max: 0.4", "s.yaml:4:24: 'max' must be greater than 0.5 and at most 10000, not 0.4"},
         Fault{"StandingStill", "rate: 10", "rate: 0", "s.yaml:5:7: 'rate' must be greater than 0 and at most 1e+06, not 0"},
         Fault{"MountOfTwoNumbers", "[0.1, 0, 1.9]", "[0.1, 0]", "s.yaml:6:14: 'xyz' must be a list of 3 numbers, not 2"}),
+    [](const auto& instance) { return instance.param.what; });
+
+class MalformedRings : public testing::TestWithParam<Fault> {};
+
+constexpr const char* kTable = R"(name: a
+rings_deg: [[1, 0], [-1, 2]]
+azimuth_deg: [{min: -90, max: -10, count: 9}, {min: 10, max: 90, count: 9}]
+range: {min: 0.5, max: 100, stddev: 0.008}
+rate: 10
+)";
+
+TEST_P(MalformedRings, AreRefusedAtTheKey) {
+  std::string text = kTable;
+  const std::size_t at = text.find(GetParam().replaced);
+  ASSERT_NE(at, std::string::npos);
+  text.replace(at, std::string_view(GetParam().replaced).size(), GetParam().by);
+  EXPECT_EQ(test::fault_of([&] { parse_lidar_model(text, "s.yaml"); }), GetParam().message);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Table, MalformedRings,
+    testing::Values(
+        Fault{"RingsTwice", "name: a\n", "name: a\nelevation_deg: [0]\n",
+              "s.yaml:3:12: 'rings_deg' stands in place of 'elevation_deg'; give one of them"},
+        Fault{"NoRings", "[[1, 0], [-1, 2]]", "[]", "s.yaml:2:12: 'rings_deg' must list from 1 to 1024 rings [elevation, azimuth offset]"},
+        Fault{"NoPairs", "[[1, 0], [-1, 2]]", "[1, -1]", "s.yaml:2:13: 'rings_deg' must be a list of points [x, y]"},
+        Fault{"AboveTheZenith", "[-1, 2]", "[-91, 2]", "s.yaml:2:12: an elevation of 'rings_deg' must be from -90 to 90, not -91"},
+        Fault{"OffsetBeyondATurn", "[-1, 2]", "[-1, 400]", "s.yaml:2:26: 'rings_deg' must be from -360 to 360, not 400"},
+        Fault{"NoSectors", "[{min: -90, max: -10, count: 9}, {min: 10, max: 90, count: 9}]", "[]",
+              "s.yaml:3:14: 'azimuth_deg' must list at least one sector"},
+        Fault{"NoMappings", "[{min: -90, max: -10, count: 9}, {min: 10, max: 90, count: 9}]", "[1]",
+              "s.yaml:3:15: 'azimuth_deg' must be a list of 'key: value' pairs"},
+        Fault{"SectorsOverlap", "min: 10", "min: -20", "s.yaml:3:53: 'min' must be greater than the 'max' of the sector before, -10"},
+        Fault{"SectorsTouch", "min: 10", "min: -10", "s.yaml:3:53: 'min' must be greater than the 'max' of the sector before, -10"},
+        Fault{"MoreThanATurn", "max: 90", "max: 271", "s.yaml:3:14: 'azimuth_deg' must span at most 360 degrees"},
+        Fault{"TurnThatRepeatsTheFirst", "max: 90", "max: 270", "s.yaml:3:62: 'max' must be less than a turn from the first 'min', -90"},
+        Fault{"TooManyBeams", "count: 9}]", "count: 2097144}]",
+              "s.yaml:3:73: 'count' must be a whole number from 1 to 2097143, not 2097144"}),
     [](const auto& instance) { return instance.param.what; });
 
 }  // namespace

@@ -69,7 +69,7 @@ TEST(SimulateScan, RangesOutsideTheLimitsAreNan) {
 
 TEST(SimulateScan, NoiseHasTheDeviationOfTheSensorAndLiesAlongTheBeam) {
   LidarModel model = small_lidar();
-  model.columns = 20000;
+  model.sectors.front().columns = 20000;
   model.elevations = {0.1};
   model.range_stddev = 0.02;
   const Scene sphere({make_sphere(5)});
@@ -82,9 +82,9 @@ TEST(SimulateScan, NoiseHasTheDeviationOfTheSensorAndLiesAlongTheBeam) {
     sum += error;
     squares += error * error;
   }
-  const double mean = sum / model.columns;
+  const double mean = sum / model.columns();
   EXPECT_NEAR(mean, 0.0, 5 * 0.02 / std::sqrt(20000));
-  EXPECT_NEAR(std::sqrt(squares / model.columns - mean * mean), 0.02, 0.0006);
+  EXPECT_NEAR(std::sqrt(squares / model.columns() - mean * mean), 0.02, 0.0006);
 }
 
 TEST(SimulateScan, TheSameKeyGivesTheSameNoiseOnAnyThread) {

@@ -59,7 +59,7 @@ OccupancyMap all_free() { return OccupancyMap(Grid<float>({.resolution = 0.5, .o
 
 LidarModel coarse_lidar() {
   LidarModel model = test::hdl32e();
-  model.columns = 720;
+  model.sectors.front().columns = 720;
   return model;
 }
 
@@ -99,7 +99,7 @@ const std::vector<Localizer> kSum{Localizer::ndt_mcl_sum};
 TEST(Trials, AreTheDrivesOfTheirSeedsForAnyNumberOfThreads) {
   const Scene scene = room_and_corridor();
   LidarModel lidar = coarse_lidar();
-  lidar.columns = 180;
+  lidar.sectors.front().columns = 180;
   const LocalizationMap map(survey(scene, all_free(), lidar, {.spacing = 2.0, .range_max = 6.5}), {}, kSum);
   const std::vector<std::vector<Pose2>> paths{{{-4.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}}, {{-4.0, 2.0, 0.0}, {-4.0, -2.0, 0.0}}};
   TrialOptions options{.drive = {.range_max = 6.5}, .runs = 3, .seed = 5, .threads = 2};

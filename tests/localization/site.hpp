@@ -19,7 +19,7 @@ namespace alignability::test {
 // Coarse enough to be quick, with the mount and the noise of a real one.
 inline LidarModel coarse_lidar() {
   LidarModel model = hdl32e();
-  model.columns = 720;
+  model.sectors.front().columns = 720;
   return model;
 }
 

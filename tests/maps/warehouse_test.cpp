@@ -127,11 +127,11 @@ TEST(Warehouse, ShortestPathIsBlindInTheCorridorAndTheRiskAwareOneGoesAround) {
 TEST(Sensors, AreThoseOfTheirDataSheets) {
   const LidarModel hdl32e = read_lidar_model(kMaps / "sensors/hdl32e.yaml");
   EXPECT_EQ(hdl32e.rings(), 32);
-  EXPECT_EQ(hdl32e.columns, 2170);
+  EXPECT_EQ(hdl32e.columns(), 2170);
   EXPECT_NEAR(degrees(hdl32e.elevations[1] - hdl32e.elevations[0]), 4.0 / 3.0, 0.01);
   const LidarModel os1 = read_lidar_model(kMaps / "sensors/os1-64.yaml");
   EXPECT_EQ(os1.rings(), 64);
-  EXPECT_EQ(os1.columns, 1024);
+  EXPECT_EQ(os1.columns(), 1024);
   const LidarModel vlp16 = read_lidar_model(kMaps / "sensors/vlp16.yaml");
   EXPECT_EQ(vlp16.rings(), 16);
   EXPECT_NEAR(degrees(vlp16.elevations.back() - vlp16.elevations.front()), 30.0, 1e-9);
