@@ -10,6 +10,7 @@
 #include "core/file.hpp"
 #include "core/yaml_map.hpp"
 #include "costmap/float_tiff.hpp"
+#include "costmap/heading_layers.hpp"
 
 namespace alignability {
 namespace {
@@ -102,6 +103,7 @@ std::vector<std::string> read_layer_names(YamlMap& yaml) {
   for (auto name = names.begin(); name != names.end(); ++name) {
     if (std::find(names.begin(), name, *name) != name) yaml.fail("layers", "'layers' names '" + *name + "' twice");
   }
+  if (const auto fault = fault_of_heading_layers(names)) yaml.fail("layers", *fault);
   return names;
 }
 
@@ -141,10 +143,14 @@ AlignabilityMap read_alignability_map(const std::filesystem::path& yaml_file) {
     throw InputError(image, "has " + std::to_string(pages.size()) + " pages where " + yaml_file.filename().string() + " names " +
                                 std::to_string(names.size()) + " layers");
   }
-  const bool valid =
-      std::ranges::all_of(pages.front().values(), [](float alpha) { return std::isnan(alpha) || (alpha >= 0.0f && alpha <= 1.0f); });
-  if (!valid) throw InputError(image, "holds an alignability that is neither from 0 to 1 nor NaN");
   for (std::size_t i = 0; i < names.size(); ++i) map.layers.push_back({names[i], std::move(pages[i])});
+  std::vector<const Grid<float>*> alphas = heading_layers(map);
+  alphas.push_back(&map.alpha());
+  const auto is_valid = [](float alpha) { return std::isnan(alpha) || (alpha >= 0.0f && alpha <= 1.0f); };
+  for (const Grid<float>* alpha : alphas) {
+    if (!std::ranges::all_of(alpha->values(), is_valid))
+      throw InputError(image, "holds an alignability that is neither from 0 to 1 nor NaN");
+  }
   return map;
 }
 

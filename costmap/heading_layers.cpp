@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: BSD-3-Clause
+#include "costmap/heading_layers.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace alignability {
+namespace {
+
+constexpr const char* kPrefix = "alpha_heading_";
+
+std::size_t count_of_headings(std::span<const std::string> names) {
+  return static_cast<std::size_t>(std::ranges::count_if(names, [](const std::string& name) { return name.starts_with(kPrefix); }));
+}
+
+}  // namespace
+
+std::string heading_layer_name(std::size_t heading) { return kPrefix + std::to_string(heading); }
+
+std::optional<std::string> fault_of_heading_layers(std::span<const std::string> names) {
+  const std::size_t count = count_of_headings(names);
+  if (count == 1) return "one heading alone says nothing of the others";
+  for (std::size_t heading = 0; heading < count; ++heading) {
+    std::string name = heading_layer_name(heading);
+    if (std::ranges::find(names, name) != names.end()) continue;
+    std::string fault = "of ";
+    return fault.append(std::to_string(count)).append(" headings the layer '").append(name).append("' is missing");
+  }
+  return std::nullopt;
+}
+
+std::vector<const Grid<float>*> heading_layers(const AlignabilityMap& map) {
+  std::vector<std::string> names;
+  for (const AlignabilityMap::Layer& layer : map.layers) names.push_back(layer.name);
+  if (const auto fault = fault_of_heading_layers(names)) throw std::invalid_argument(*fault);
+  std::vector<const Grid<float>*> layers;
+  for (std::size_t heading = 0; heading < count_of_headings(names); ++heading) {
+    layers.push_back(map.find_layer(heading_layer_name(heading)));
+    if (layers.back()->geometry() != map.geometry) throw std::invalid_argument(heading_layer_name(heading) + " has another grid");
+  }
+  return layers;
+}
+
+}  // namespace alignability
