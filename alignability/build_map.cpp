@@ -107,6 +107,7 @@ std::vector<AlignabilityMap::Layer> layers_of(const GridGeometry& geometry, cons
 std::string to_yaml(const MapOptions& options) {
   std::ostringstream out;
   out << "samples: " << options.samples << '\n';
+  if (options.headings > 1) out << "headings: " << options.headings << '\n';
   if (options.range_max) out << "range_max: " << to_text(*options.range_max) << '\n';
   out << "floor: " << to_text(options.floor) << '\n'
       << "occupied_above: " << to_text(options.rule.occupied_above) << '\n'
@@ -117,6 +118,7 @@ std::string to_yaml(const MapOptions& options) {
 
 void check(const OccupancyMap& occupancy, const MapOptions& options) {
   Scorer{options.alignability};  // throws for options that no scan could be scored with
+  if (options.headings < 1 || options.headings > 360) throw std::invalid_argument("headings must be from 1 to 360");
   if (options.samples < 1) throw std::invalid_argument("samples must be at least 1");
   if (options.range_max && !kPositive.contains(*options.range_max)) throw std::invalid_argument("range_max must be greater than 0");
   if (!kPositive.contains(options.resolution) || options.resolution < occupancy.geometry().resolution) {
@@ -143,7 +145,7 @@ AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& o
   map.options = to_yaml(options);
   map.sensor = sensor.yaml;
   const std::vector<Job> jobs = jobs_for(occupancy, map.geometry, options);
-  const std::vector<std::string> names = detail::layer_names(options.alignability);
+  const std::vector<std::string> names = detail::layer_names(options.alignability, options.headings);
   std::optional<detail::Checkpoint> checkpoint;
   if (options.checkpoint) {
     const std::string all_options = map.options + "resolution: " + to_text(options.resolution) + '\n';

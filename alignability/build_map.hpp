@@ -19,6 +19,7 @@ struct MapOptions {
   double resolution = 1.0;          ///< side of an α-cell [m], at least that of the occupancy map
   int samples = 10;                 ///< scans a cell, >= 1
   std::optional<double> range_max;  ///< [m] crops the sensor's own range
+  int headings = 1;                 ///< yaws 2πk/n of the robot, 1 to 360; of more than one each has a layer
   double floor = 0.0;               ///< z of `base_link` in `map` [m]
   std::uint64_t seed = 1;
   EvaluationRule rule;
@@ -37,7 +38,9 @@ struct MapOptions {
 /// over its free part, `base_link` at yaw 0, range noise on. A place where a lidar would be in or within 10 cm of a surface is
 /// drawn anew, and given up after 20 draws. Layers alpha, samples, iqr, weak_x, weak_y, weak_z (the axis nearest to the scans' weakest
 /// directions, in `map`); then the medians of the readings asked for, of information `information` [1/m²], `information_yaw` [1/rad²] and
-/// the weakest direction `information_x`, `information_y`. The same bytes for any number of threads. Throws std::invalid_argument for
+/// the weakest direction `information_x`, `information_y`. With `headings` n > 1 scans are taken at each of n yaws 2πk/n, at n times the
+/// time; layers `alpha_heading_0` … tell α at each, NaN where a lidar would stand in a surface wherever it tried, and the others are those
+/// of the heading at which α is lowest. The same bytes for any number of threads. Throws std::invalid_argument for
 /// options out of range, Interrupted, and InputError for a checkpoint that cannot be written, is none, is another build's or that of one
 /// under way.
 AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "alignability/cell_evaluator.hpp"
 
+#include <algorithm>
+#include <numbers>
 #include <random>
 
 #include "lidar/simulate_scan.hpp"
@@ -13,19 +15,31 @@ constexpr int kMostDraws = 20;
 }  // namespace
 
 CellValue CellEvaluator::operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const {
+  std::vector<std::vector<Alignability>> scores_by_heading;
+  for (int heading = 0; heading < options_.headings; ++heading) scores_by_heading.push_back(scores_at(heading, free, cell, scorer));
+  return summary(scores_by_heading, options_.alignability);
+}
+
+// Of the same places at every heading, as far as the robot's lidars are free there; the noise is another at each.
+std::vector<Alignability> CellEvaluator::scores_at(int heading, const FreePart& free, std::size_t cell, Scorer& scorer) const {
+  const double yaw = 2.0 * std::numbers::pi * heading / options_.headings;
+  const Eigen::Matrix3d R_map_base = Eigen::AngleAxisd(yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   std::vector<Alignability> scores;
   for (int sample = 0; sample < options_.samples; ++sample) {
     if (options_.stop.stop_requested()) throw Interrupted();
-    if (const auto T_map_base = robot_pose(free, cell, sample)) {
-      const NoiseKey noise{options_.seed, cell, static_cast<std::uint64_t>(sample)};
+    if (const auto T_map_base = robot_pose(free, cell, sample, R_map_base)) {
+      const NoiseKey noise{
+          options_.seed, cell,
+          static_cast<std::uint64_t>(heading) * static_cast<std::uint64_t>(options_.samples) + static_cast<std::uint64_t>(sample)};
       const Scan scan = simulate_rig_scan(scene_, sensor_, *T_map_base, {.range_max = options_.range_max}, noise);
-      scores.push_back(in_map(scorer.alignability(scan), Eigen::Matrix3d::Identity(), sensor_.T_base_scan().linear()));
+      scores.push_back(in_map(scorer.alignability(scan), R_map_base, sensor_.T_base_scan().linear()));
     }
   }
-  return summary(scores, options_.alignability);
+  return scores;
 }
 
-std::optional<Eigen::Isometry3d> CellEvaluator::robot_pose(const FreePart& free, std::size_t cell, int sample) const {
+std::optional<Eigen::Isometry3d> CellEvaluator::robot_pose(const FreePart& free, std::size_t cell, int sample,
+                                                           const Eigen::Matrix3d& R_map_base) const {
   const auto word = [](std::uint64_t value, int half) { return static_cast<std::uint32_t>(value >> (32 * half)); };
   constexpr std::uint32_t kPlaces = 0x706c6163;  // apart from the noise, which is keyed by the same numbers
   std::seed_seq key{
@@ -37,6 +51,7 @@ std::optional<Eigen::Isometry3d> CellEvaluator::robot_pose(const FreePart& free,
     const double u = uniform();
     const double v = uniform();
     Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
+    T_map_base.linear() = R_map_base;
     T_map_base.translation() << free.at(share, u, v), options_.floor;
     if (is_free(T_map_base)) return T_map_base;
   }

@@ -20,7 +20,8 @@ class CellEvaluator {
   CellValue operator()(const FreePart& free, std::size_t cell, Scorer& scorer) const;
 
  private:
-  std::optional<Eigen::Isometry3d> robot_pose(const FreePart& free, std::size_t cell, int sample) const;
+  std::optional<Eigen::Isometry3d> robot_pose(const FreePart& free, std::size_t cell, int sample, const Eigen::Matrix3d& R_map_base) const;
+  std::vector<Alignability> scores_at(int heading, const FreePart& free, std::size_t cell, Scorer& scorer) const;
   bool is_free(const Eigen::Isometry3d& T_map_base) const;
 
   const Scene& scene_;

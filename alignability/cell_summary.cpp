@@ -3,9 +3,11 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "core/distribution.hpp"
+#include "costmap/heading_layers.hpp"
 
 namespace alignability::detail {
 namespace {
@@ -40,11 +42,14 @@ void append(CellValue& values, const Eigen::Ref<const Eigen::VectorXf>& more) { 
 
 }  // namespace
 
-std::vector<std::string> layer_names(const AlignabilityOptions& options) {
+std::vector<std::string> layer_names(const AlignabilityOptions& options, int headings) {
   std::vector<std::string> names{"alpha", "samples", "iqr", "weak_x", "weak_y", "weak_z"};
   for (const Reading reading : options.readings) {
     names.emplace_back(to_string(reading));
     if (reading == Reading::information) names.insert(names.end(), {"information_yaw", "information_x", "information_y"});
+  }
+  for (int heading = 0; headings > 1 && heading < headings; ++heading) {
+    names.push_back(heading_layer_name(static_cast<std::size_t>(heading)));
   }
   return names;
 }
@@ -72,6 +77,18 @@ CellValue summary(const std::vector<Alignability>& scores, const AlignabilityOpt
     if (reading != Reading::information) continue;
     values.push_back(median([](const Alignability& score) { return score.readings.information.yaw; }));
     append(values, common_axis<2>(scores, [](const Alignability& score) { return score.readings.information.weakest_direction; }));
+  }
+  return values;
+}
+
+CellValue summary(const std::vector<std::vector<Alignability>>& scores_by_heading, const AlignabilityOptions& options) {
+  std::vector<CellValue> by_heading;
+  for (const std::vector<Alignability>& scores : scores_by_heading) by_heading.push_back(summary(scores, options));
+  const auto alpha = [](const CellValue& value) { return value.front(); };
+  const auto is_lower = [](float a, float b) { return a < b || (!std::isnan(a) && std::isnan(b)); };
+  CellValue values = *std::ranges::min_element(by_heading, is_lower, alpha);
+  if (by_heading.size() > 1) {
+    for (const CellValue& value : by_heading) values.push_back(alpha(value));
   }
   return values;
 }

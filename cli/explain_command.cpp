@@ -2,6 +2,7 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
+#include <numbers>
 #include <span>
 
 #include "alignability/build_map.hpp"
@@ -16,6 +17,7 @@
 #include "core/input_error.hpp"
 #include "core/range.hpp"
 #include "core/yaml_map.hpp"
+#include "costmap/heading_layers.hpp"
 #include "costmap/map_server.hpp"
 #include "lidar/scene.hpp"
 #include "lidar/sensor_rig.hpp"
@@ -42,6 +44,7 @@ struct Options {
   std::optional<std::filesystem::path> output;
 
   Eigen::Vector2d place() const { return {at[0], at[1]}; }
+  Pose2 pose() const { return {at[0], at[1], at.size() == 3 ? at[2] : 0.0}; }
   std::string place_text() const { return to_text(at[0]) + ", " + to_text(at[1]); }
 };
 
@@ -103,7 +106,8 @@ void check_place(const Options& options, const Scene& scene, const SensorRig& se
 
 // What the alignability map has for the cell that holds the place.
 struct MapCell {
-  double alpha = 0.0;  // NaN = not evaluated
+  double alpha = 0.0;              // of the lowest heading; NaN = not evaluated
+  std::vector<double> by_heading;  // the k-th of n at yaw 2πk/n; of a map that has them
   double samples = 0.0;
   double iqr = 0.0;
 };
@@ -126,7 +130,9 @@ std::optional<MapCell> read_map_cell(const Options& options, const SensorRig& se
     const Grid<float>* const layer = map.find_layer(name);
     return layer != nullptr ? static_cast<double>((*layer)[cell]) : std::nan("");
   };
-  return MapCell{value("alpha"), value("samples"), value("iqr")};
+  MapCell found{.alpha = value("alpha"), .by_heading = {}, .samples = value("samples"), .iqr = value("iqr")};
+  for (const Grid<float>* layer : heading_layers(map)) found.by_heading.push_back((*layer)[cell]);
+  return found;
 }
 
 std::string percent(double share) { return fixed_text(100.0 * share, 1) + " %"; }
@@ -187,15 +193,35 @@ std::string axis_text(const Eigen::Vector3d& axis) {
   return text == "up" ? text : "heading " + text;
 }
 
+// That of the n at yaws 2πk/n which is nearest.
+std::size_t nearest_heading(double yaw, std::size_t headings) {
+  const double share = normalized_angle(yaw) / (2.0 * std::numbers::pi);
+  return static_cast<std::size_t>(std::lround((share + 1.0) * static_cast<double>(headings))) % headings;
+}
+
+std::string heading_text(std::size_t heading, std::size_t headings) {
+  return "heading " + fixed_text(360.0 * static_cast<double>(heading) / static_cast<double>(headings), 0) + " deg";
+}
+
+std::string alpha_text(double alpha) { return std::isnan(alpha) ? "not evaluated" : "alpha " + fixed_text(alpha, 3); }
+
+std::string headings_text(const std::vector<double>& alphas, double yaw) {
+  const std::size_t here = nearest_heading(yaw, alphas.size());
+  const auto best = std::ranges::max_element(alphas, [](double a, double b) { return a < b || (std::isnan(a) && !std::isnan(b)); });
+  return alpha_text(alphas[here]) + " at " + heading_text(here, alphas.size()) + ", the best " + alpha_text(*best) + " at " +
+         heading_text(static_cast<std::size_t>(best - alphas.begin()), alphas.size());
+}
+
 std::string map_text(const MapCell& cell) {
   if (std::isnan(cell.alpha)) return "not evaluated in this cell";
-  const std::string alpha = "alpha " + fixed_text(cell.alpha, 3) + " in this cell, ";
+  const std::string lowest = cell.by_heading.empty() ? "" : " at the worst heading";
+  const std::string alpha = "alpha " + fixed_text(cell.alpha, 3) + " in this cell" + lowest + ", ";
   if (!(cell.samples > 1.0)) return alpha + "from one scan";
   return alpha + "the median of " + fixed_text(cell.samples, 0) + " scans (interquartile range " + fixed_text(cell.iqr, 3) + ")";
 }
 
 void print_explanation(const Explanation& explanation, std::span<const Reading> readings, const std::string& why,
-                       const std::optional<MapCell>& cell) {
+                       const std::optional<MapCell>& cell, double yaw) {
   std::printf("%s\n\n", why.c_str());
   if (!explanation.planes.empty()) {
     print_table(explanation);
@@ -207,7 +233,9 @@ void print_explanation(const Explanation& explanation, std::span<const Reading> 
   for (const Reading reading : readings) {
     std::printf("%-15s%s\n", std::string(to_string(reading)).c_str(), reading_text(reading, explanation.alignability.readings).c_str());
   }
+  std::printf("%-15s%s deg\n", "heading", fixed_text(degrees(yaw), 0).c_str());
   if (cell) std::printf("%-15s%s\n", "map", map_text(*cell).c_str());
+  if (cell && !cell->by_heading.empty()) std::printf("%-15s%s\n", "", headings_text(cell->by_heading, yaw).c_str());
 }
 
 void draw(const Scan& scan, const Explanation& explanation, const Options& options, Verdict verdict, const Eigen::Isometry3d& T_map_scan,
@@ -238,6 +266,7 @@ int run(Options options) {
   const std::optional<MapCell> cell = read_map_cell(options, sensor);
   const Scene scene = read_scene(*options.scene, options.reading);
   Eigen::Isometry3d T_map_base = Eigen::Isometry3d::Identity();
+  T_map_base.linear() = Eigen::AngleAxisd(options.pose().yaw, Eigen::Vector3d::UnitZ()).toRotationMatrix();
   T_map_base.translation() << options.place(), options.floor;
   const Eigen::Isometry3d T_map_scan = T_map_base * sensor.T_base_scan();
   check_place(options, scene, sensor, T_map_base);
@@ -248,9 +277,10 @@ int run(Options options) {
 
   const Verdict judged = verdict(explanation.alignability.alpha, risk);
   const std::string why = sentence(explanation, risk);
-  Json json = explanation_json(options.place(), explanation, judged, why);
+  Json json = explanation_json(options.pose(), explanation, judged, why);
   add_readings(json, explanation.alignability.readings, scoring.readings);
   json["map"] = cell ? Json{{"alpha", cell->alpha}, {"samples", cell->samples}, {"iqr", cell->iqr}} : Json(nullptr);
+  if (cell && !cell->by_heading.empty()) json["map"]["alpha_by_heading"] = cell->by_heading;
   if (options.output) {
     draw(scan, explanation, options, judged, T_map_scan, occupancy);
     write_file(with_ending(output_name(*options.output), ".json"), json.dump(2) + '\n');
@@ -258,7 +288,7 @@ int run(Options options) {
   if (options.json) {
     print({json});
   } else {
-    print_explanation(explanation, scoring.readings, why, cell);
+    print_explanation(explanation, scoring.readings, why, cell, options.pose().yaw);
   }
   return kYes;
 }
@@ -268,7 +298,10 @@ int run(Options options) {
 void add_explain(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("explain", "Tell why a place scores what it does");
-  command->add_option("place", options->at, "Where base_link stands in map, at yaw 0: x,y [m]")->required()->expected(2)->delimiter(',');
+  command->add_option("place", options->at, "Where base_link stands in map: x,y or x,y,yaw [m, rad]; without, yaw is 0")
+      ->required()
+      ->expected(2, 3)
+      ->delimiter(',');
   command->add_option("--problem", options->problem, "Problem file that names scene, sensor, range_max and maps");
   command->add_option("--scene", options->scene, kSiteHelp);
   command->add_option("--sensor", options->sensor, "Sensor file");

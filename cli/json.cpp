@@ -124,7 +124,7 @@ void add_readings(Json& json, const Readings& readings, std::span<const Reading>
   for (const Reading reading : wanted) json[std::string(to_string(reading))] = reading_json(reading, readings);
 }
 
-Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why) {
+Json explanation_json(const Pose2& at, const Explanation& explanation, Verdict verdict, const std::string& why) {
   Json planes = Json::array();
   for (const ExplainedPlane& plane : explanation.planes) {
     planes.push_back({{"kind", to_string(plane.kind)},
@@ -136,7 +136,8 @@ Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation,
                       {"extents", vector(plane.extents)},
                       {"holds", plane.holds}});
   }
-  return {{"at", {at.x(), at.y()}},
+  return {{"at", {at.x, at.y}},
+          {"yaw", at.yaw},
           {"alpha", explanation.alignability.alpha},
           {"verdict", to_string(verdict)},
           {"why", why},

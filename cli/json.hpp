@@ -20,7 +20,7 @@ using Json = nlohmann::ordered_json;
 Json score_json(const std::filesystem::path& file, const Alignability& score, const AlignabilityOptions& options, double seconds);
 /// A key for each.
 void add_readings(Json& json, const Readings& readings, std::span<const Reading> wanted);
-Json explanation_json(const Eigen::Vector2d& at, const Explanation& explanation, Verdict verdict, const std::string& why);
+Json explanation_json(const Pose2& at, const Explanation& explanation, Verdict verdict, const std::string& why);
 Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std::filesystem::path>& files);
 /// [[x, y, yaw], …].
 Json path_json(std::span<const Pose2> path);

@@ -20,6 +20,7 @@ struct MapCommandOptions {
   std::optional<std::filesystem::path> occupancy;
   std::optional<std::filesystem::path> sensor;
   MapOptions map;
+  std::optional<int> headings;  ///< none: as many as the sensor needs
   std::vector<int> cells;
   std::vector<double> polygon;
   std::optional<std::filesystem::path> update;

@@ -16,6 +16,11 @@ using Names = std::set<std::string>;
 
 void add_options_of_scenes(CLI::App& command, MapCommandOptions& options) {
   command.add_option("--samples", options.map.samples, "Scans a cell")->check(CLI::Range(1, 100000))->capture_default_str();
+  command
+      .add_option(
+          "--headings", options.headings,
+          "So many headings of the robot, a layer each; 1: yaw 0 alone, none (default: 8 for a sensor that does not see all around)")
+      ->check(CLI::Range(1, 360));
   command.add_option("--floor", options.map.floor, "Height of base_link in map [m]")->capture_default_str();
   command.add_option("--seed", options.map.seed, "Seed of places and range noise")->capture_default_str();
   command.add_option("--cells", options.cells, "Build these cells alone: column,row from the lower left, from 0")->delimiter(',');
@@ -34,8 +39,8 @@ void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
   add_scoring_options(command, options.map.alignability);
 }
 
-const Names kOfScenesAlone{"--samples",    "--floor",    "--seed", "--cells", "--polygon", "--update",
-                           "--model-path", "--geometry", "--unit", "--up",    "--thin",    "--level"};
+const Names kOfScenesAlone{"--samples", "--headings",   "--floor",    "--seed", "--cells", "--polygon",
+                           "--update",  "--model-path", "--geometry", "--unit", "--up",    "--thin", "--level"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
 const Names kOfMerging{"--merge", "--occupancy", "--json", "--output"};
 

@@ -46,6 +46,12 @@ AlignabilityMap build(const Scene& scene, const OccupancyMap& occupancy, const S
   return build_alignability_map(scene, occupancy, sensor, options);
 }
 
+// A sensor that does not see all around sees another thing at every heading.
+int headings_of(const MapCommandOptions& options, const SensorRig& sensor) {
+  constexpr int kUsual = 8;
+  return options.headings.value_or(sensor.sees_all_around() ? 1 : kUsual);
+}
+
 void check_choice(const MapCommandOptions& options) {
   if (options.cells.size() % 2 != 0) throw std::invalid_argument("--cells: takes pairs of column,row");
   if (options.polygon.size() % 2 != 0) throw std::invalid_argument("--polygon: takes pairs of x,y");
@@ -89,6 +95,7 @@ int build_and_store(MapCommandOptions options) {
   const SensorRig sensor = read_sensor_rig(*options.sensor);
   const OccupancyMap occupancy = read_occupancy_map(*options.occupancy);
   const Scene scene = read_scene(options.scene, options.reading);
+  options.map.headings = headings_of(options, sensor);
   options.map.alignability = for_lidar(options.map.alignability, sensor);
   options.map.cells = chosen_cells(options, occupancy.geometry());
   const auto before = options.update ? std::optional(read_alignability_map(*options.update)) : std::nullopt;

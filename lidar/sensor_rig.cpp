@@ -2,15 +2,42 @@
 #include "lidar/sensor_rig.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "core/file.hpp"
+#include "core/pose.hpp"
 #include "lidar/lidar_reader.hpp"
 
 namespace alignability {
 namespace {
 
 constexpr std::size_t kMostLidars = 16;
+constexpr double kBlind = radians(1.0);
+
+double widest_step(const SensorRig& rig) {
+  double step = 0.0;
+  for (const LidarModel& lidar : rig.lidars) {
+    for (const AzimuthSector& sector : lidar.sectors) {
+      const int steps = sector.full_circle() ? sector.columns : sector.columns - 1;
+      if (steps > 0) step = std::max(step, (sector.max - sector.min) / steps);
+    }
+  }
+  return step;
+}
+
+std::vector<float> azimuths_in_base(const SensorRig& rig) {
+  std::vector<float> azimuths;
+  for (const LidarModel& lidar : rig.lidars) {
+    const Eigen::Matrix3f R_base_lidar = lidar.T_base_lidar.linear().cast<float>();
+    for (const Eigen::Vector3f& direction : beam_directions(lidar)) {
+      const Eigen::Vector3f in_base = R_base_lidar * direction;
+      azimuths.push_back(std::atan2(in_base.y(), in_base.x()));
+    }
+  }
+  return azimuths;
+}
 
 }  // namespace
 
@@ -24,6 +51,14 @@ std::size_t SensorRig::beams() const {
   std::size_t sum = 0;
   for (const LidarModel& lidar : lidars) sum += static_cast<std::size_t>(lidar.rings()) * static_cast<std::size_t>(lidar.columns());
   return sum;
+}
+
+bool SensorRig::sees_all_around() const {
+  std::vector<float> azimuths = azimuths_in_base(*this);
+  std::ranges::sort(azimuths);
+  double gap = 2.0 * std::numbers::pi - (azimuths.back() - azimuths.front());
+  for (std::size_t i = 1; i < azimuths.size(); ++i) gap = std::max(gap, static_cast<double>(azimuths[i] - azimuths[i - 1]));
+  return gap <= std::max(kBlind, 2.0 * widest_step(*this));
 }
 
 Eigen::Isometry3d SensorRig::T_base_scan() const {

@@ -24,6 +24,10 @@ struct SensorRig {
   SensorRig(LidarModel lidar);  // NOLINT(google-explicit-constructor): whatever takes a rig takes a lidar
 
   bool is_planar() const { return lidars.front().is_planar(); }
+  /// Whether some beam of it goes to every side of the robot: in `base_link` the azimuths of its beams lie no further apart than twice the
+  /// widest step between columns, or a degree. A lidar that leans may do so and still see another thing at every heading. O(beams log
+  /// beams).
+  bool sees_all_around() const;
   /// Turns a second [Hz].
   double rate() const { return lidars.front().rate; }
   /// The least of its lidars' [m].

@@ -64,6 +64,32 @@ TEST_F(SensorsCli, MapWithSeveralLidarsIn2d) {
   EXPECT_THAT(bytes("corners_map.yaml"), HasSubstr("dimensions: 2"));
 }
 
+TEST_F(SensorsCli, MapByHeadingWhereTheSensorDoesNotSeeAllAround) {
+  ASSERT_EQ(run(test::kOccupancy).exit_code, 0);
+  const auto map = [&](const std::vector<std::string>& more) {
+    std::vector<std::string> command{"map",          "--scene",   "world.sdf", "--occupancy", "occupancy.yaml", "--sensor",
+                                     "scanner.yaml", "--samples", "1",         "-o",          "by_heading"};
+    command.insert(command.end(), more.begin(), more.end());
+    const test::Outcome outcome = run(command);
+    EXPECT_EQ(outcome.exit_code, 0) << outcome.err;
+    return bytes("by_heading.yaml");
+  };
+  EXPECT_THAT(map({}), HasSubstr("alpha_heading_7]"));
+  const test::Outcome why =
+      run({"explain", "1.5,1.5,1.6", "--scene", "world.sdf", "--sensor", "scanner.yaml", "--alignability", "by_heading.yaml"});
+  ASSERT_EQ(why.exit_code, 0) << why.err;
+  EXPECT_THAT(why.out, HasSubstr("heading        92 deg\n"));
+  EXPECT_THAT(why.out, HasSubstr(" in this cell at the worst heading, "));
+  EXPECT_THAT(why.out, HasSubstr(" at heading 90 deg, the best alpha "));
+  const json turned = json::parse(
+      run({"explain", "1.5,1.5,1.6", "--scene", "world.sdf", "--sensor", "scanner.yaml", "--alignability", "by_heading.yaml", "--json"})
+          .out);
+  EXPECT_EQ(turned["yaw"], 1.6);
+  EXPECT_EQ(turned["map"]["alpha_by_heading"].size(), 8u);
+  EXPECT_THAT(map({"--headings", "3"}), HasSubstr("alpha_heading_2]"));
+  EXPECT_THAT(map({"--headings", "1"}), HasSubstr("weak_z]"));
+}
+
 TEST_F(SensorsCli, ExplainA2dScanByItsWalls) {
   const test::Outcome outcome =
       run({"explain", "1.5,1.5", "--scene", "world.sdf", "--sensor", "scanner.yaml", "--readings", "robust,information", "-o", "why"});

@@ -218,5 +218,21 @@ TEST(SensorRig, ReadsTheSensorsWeShip) {
   }
 }
 
+TEST(SensorRig, SeesAllAroundOrDoesNot) {
+  const std::filesystem::path sensors = std::filesystem::path(ALIGNABILITY_SOURCE_DIR) / "maps/sensors";
+  for (const char* name : {"hdl32e.yaml", "os1-64.yaml", "vlp16.yaml", "s300-corners.yaml"}) {
+    EXPECT_TRUE(read_sensor_rig(sensors / name).sees_all_around()) << name;
+  }
+  for (const char* name : {"hap.yaml", "s300.yaml"}) EXPECT_FALSE(read_sensor_rig(sensors / name).sees_all_around()) << name;
+}
+
+TEST(SensorRig, ThatLeansSeesAllAroundStill) {
+  SensorRig rig = test::small_lidar();
+  rig.lidars.front().T_base_lidar.rotate(Eigen::AngleAxisd(0.4, Eigen::Vector3d(1.0, 2.0, 0.0).normalized()));
+  EXPECT_TRUE(rig.sees_all_around());
+  rig.lidars.front().sectors.front().max = 1.5;
+  EXPECT_FALSE(rig.sees_all_around());
+}
+
 }  // namespace
 }  // namespace alignability
