@@ -87,7 +87,7 @@ DriveSite load_drive_site(const ProblemFile& problem, const std::filesystem::pat
     throw InputError(scene_file, "is a point cloud, in which nothing can be told apart that --moved could move");
   }
   const std::vector<Eigen::Vector3f> cloud = map_cloud(scene, occupancy, sensor, drive, options, stop);
-  LocalizationMap map(cloud, drive.localizer, drive.localizers);
+  LocalizationMap map(cloud, for_sensor(drive.localizer, sensor), drive.localizers);
   TrialOptions trials{.drive = std::move(drive), .seed = options.seed, .threads = options.threads, .stop = stop};
   return {scene, std::move(sensor), std::move(map), std::move(trials)};
 }

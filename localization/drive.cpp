@@ -83,11 +83,12 @@ Drive drive(const Scene& scene, const SensorRig& sensor, const LocalizationMap& 
   const std::vector<TimedPose> poses = poses_along(path, options.pace, 1.0 / sensor.rate());
   Drive samples;
   if (poses.empty()) return samples;
+  const LocalizerOptions localizer_options = for_sensor(options.localizer, sensor);
   Odometry odometry(options.odometry, seed_of(seed, Part::odometry));
   std::vector<RunningLocalizer> localizers;
   const Pose2 start = off_by(path.front(), options.localizer.start_deviations, seed_of(seed, Part::start));
   for (const Localizer localizer : options.localizers) {
-    localizers.emplace_back(localizer, map, start, options.localizer, seed_of(seed, Part::localizer));
+    localizers.emplace_back(localizer, map, start, localizer_options, seed_of(seed, Part::localizer));
   }
   for (std::size_t i = 0; i < poses.size(); ++i) {
     if (stop.stop_requested()) throw Interrupted();
@@ -95,7 +96,7 @@ Drive drive(const Scene& scene, const SensorRig& sensor, const LocalizationMap& 
     const NoiseKey noise{.seed = seed_of(seed, Part::ranges), .cell = i, .sample = 0};
     const Scan scan = simulate_rig_scan(scene, sensor, T_map_base(poses[i].pose, options.floor), {.range_max = options.range_max}, noise);
     const std::vector<Eigen::Vector3f> points = in_base(scan, sensor.T_base_scan());
-    const Ndt ndt(points, options.localizer.ndt);
+    const Ndt ndt(points, localizer_options.ndt);
     DriveSample sample{poses[i], {}};
     for (RunningLocalizer& localizer : localizers) {
       localizer.move(motion);

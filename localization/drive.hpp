@@ -50,8 +50,9 @@ struct DriveSample {
 using Drive = std::vector<DriveSample>;
 
 /// Drives the true path, whatever localizers believe, with a scan each turn of the lidar, taken in an instant. Localizers start from a pose
-/// that is as far off as they expect. The seed stands for all errors, of odometry, ranges and start: the same one gives the same errors
-/// on every path. Throws Interrupted, and std::invalid_argument for options out of range.
+/// that is as far off as they expect, on a map made with `for_sensor(options.localizer, sensor)`. The seed stands for all errors, of
+/// odometry, ranges and start: the same one gives the same errors on every path. Throws Interrupted, and std::invalid_argument for options
+/// out of range.
 Drive drive(const Scene& scene, const SensorRig& sensor, const LocalizationMap& map, std::span<const Pose2> path,
             const DriveOptions& options, std::uint64_t seed, std::stop_token stop);
 

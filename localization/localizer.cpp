@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "localization/localizer.hpp"
 
+#include <limits>
 #include <vector>
 
 #include "core/input_error.hpp"
@@ -16,7 +17,31 @@ std::variant<NdtMcl, ScanMatcher> started(Localizer localizer, const Localizatio
   return NdtMcl(map.ndt, start, options.start_deviations, ndt_mcl, seed);
 }
 
+// A line's points as an upright plane's: thrice, one above the other, so that their neighbours span it.
+std::vector<Eigen::Vector3f> upright(std::span<const Eigen::Vector3f> lines, const PlaneMapOptions& options) {
+  const auto step = static_cast<float>(0.5 * options.neighbourhood);
+  std::vector<Eigen::Vector3f> points;
+  points.reserve(3 * lines.size());
+  for (const Eigen::Vector3f& point : lines) {
+    for (const float height : {-step, 0.0f, step}) points.emplace_back(point.x(), point.y(), point.z() + height);
+  }
+  return points;
+}
+
+std::shared_ptr<const PlaneMap> planes_of(std::span<const Eigen::Vector3f> cloud, const LocalizerOptions& options) {
+  const PlaneMapOptions planes;
+  if (options.ndt.shape == NdtCells::cubes) return std::make_shared<const PlaneMap>(cloud, planes);
+  return std::make_shared<const PlaneMap>(upright(cloud, planes), planes);
+}
+
 }  // namespace
+
+LocalizerOptions for_sensor(LocalizerOptions options, const SensorRig& sensor) {
+  if (!sensor.is_planar()) return options;
+  options.ndt.shape = NdtCells::squares;
+  options.ndt_mcl.least_height = options.scan_matcher.least_height = std::numeric_limits<double>::lowest();
+  return options;
+}
 
 const char* to_string(Localizer localizer) {
   for (const auto& [name, named] : kLocalizers) {
@@ -46,7 +71,7 @@ LocalizationMap::LocalizationMap(std::span<const Eigen::Vector3f> cloud, const L
                                  std::span<const Localizer> localizers) {
   for (const Localizer localizer : localizers) {
     if (localizer == Localizer::scan_matching) {
-      if (!planes) planes = std::make_shared<const PlaneMap>(cloud, PlaneMapOptions{});
+      if (!planes) planes = planes_of(cloud, options);
     } else if (!ndt) {
       ndt = std::make_shared<const Ndt>(cloud, options.ndt);
     }

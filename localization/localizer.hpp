@@ -9,6 +9,7 @@
 #include <utility>
 #include <variant>
 
+#include "lidar/sensor_rig.hpp"
 #include "localization/ndt_mcl.hpp"
 #include "localization/scan_matcher.hpp"
 
@@ -34,6 +35,10 @@ struct LocalizerOptions {
   ScanMatcherOptions scan_matcher = {};
   Pose2 start_deviations{0.1, 0.1, radians(1)};  ///< standard deviations of what is known of the start
 };
+
+/// The options for what a sensor sees. Of level lidars, which see the world in plan, cells are squares, nothing is taken for the floor, and
+/// the lines of the map for upright planes.
+LocalizerOptions for_sensor(LocalizerOptions options, const SensorRig& sensor);
 
 /// The map that localizers hold, as each of them reads it.
 struct LocalizationMap {

@@ -26,7 +26,7 @@ Eigen::Matrix3d with_least_width(const Eigen::Matrix3d& covariance, double flatt
 
 }  // namespace
 
-Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : cell_(options.cell) {
+Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : shape_(options.shape), cell_(options.cell) {
   if (!kPositive.contains(options.cell)) throw std::invalid_argument("the side of a cell must be greater than 0");
   if (options.min_points < 4) throw std::invalid_argument("a cell needs at least 4 points");
   if (!kPositive.contains(options.flattest) || options.flattest > 1.0) throw std::invalid_argument("flattest must be in (0, 1]");
@@ -35,7 +35,7 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
   std::size_t last = 0;
   for (const Eigen::Vector3f& point : points) {
     if (!point.allFinite()) continue;
-    const Eigen::Vector3d place = point.cast<double>();
+    const Eigen::Vector3d place = counted(point.cast<double>());
     const Cube cube = cube_of(place, cell_);
     if (all.empty() || cube != all[last].first) last = numbers.number(cube);  // a scan's next point is often in the same cell
     if (last == all.size()) all.push_back({cube, {.center = place}});
@@ -55,9 +55,13 @@ Ndt::Ndt(std::span<const Eigen::Vector3f> points, const NdtOptions& options) : c
   }
 }
 
+Eigen::Vector3d Ndt::counted(const Eigen::Vector3d& place) const {
+  return shape_ == NdtCells::squares ? Eigen::Vector3d(place.x(), place.y(), 0.0) : place;
+}
+
 const NdtCell* Ndt::find(const Eigen::Vector3d& place) const {
   if (!place.allFinite()) return nullptr;
-  const auto number = index_.find(cube_of(place, cell_));
+  const auto number = index_.find(cube_of(counted(place), cell_));
   return number ? &cells_[*number] : nullptr;
 }
 

@@ -9,10 +9,16 @@
 
 namespace alignability {
 
+enum class NdtCells {
+  cubes,
+  squares,  ///< of the plane, whatever the points' z, which counts as 0: for the scans of level lidars
+};
+
 struct NdtOptions {
   double cell = 0.4;         ///< side of a cell [m]
   int min_points = 6;        ///< a cell with fewer is empty, >= 4
   double flattest = 1.0e-3;  ///< an eigenvalue is at least this share of the largest
+  NdtCells shape = NdtCells::cubes;
 };
 
 /// The points of one cell as a Gaussian.
@@ -21,8 +27,8 @@ struct NdtCell {
   Eigen::Matrix3d covariance;
 };
 
-/// A normal distributions transform: cubes stacked from the origin, each with the Gaussian of the points that it holds (Biber and Straßer
-/// 2003; Magnusson 2009). Immutable.
+/// A normal distributions transform: cubes, or squares, stacked from the origin, each with the Gaussian of the points that it holds (Biber
+/// and Straßer 2003; Magnusson 2009). Immutable.
 class Ndt {
  public:
   /// Of those points that are finite. O(points). Throws std::invalid_argument for options out of range.
@@ -34,6 +40,9 @@ class Ndt {
   std::span<const NdtCell> cells() const { return cells_; }
 
  private:
+  Eigen::Vector3d counted(const Eigen::Vector3d& place) const;
+
+  NdtCells shape_;
   double cell_;
   std::vector<NdtCell> cells_;
   CubeIndex index_;

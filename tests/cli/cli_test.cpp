@@ -146,8 +146,8 @@ TEST_F(Cli, ExplainsTheAlphaThatScanAndScoreGive) {
       run({"explain", "1.5,1.5", "--scene", "world.sdf", "--sensor", "sensor.yaml", "--seed", "7", "--json", "-o", "why.png"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
   const json why = json::parse(outcome.out);
-  EXPECT_THAT(test::keys(why),
-              testing::UnorderedElementsAre("at", "alpha", "verdict", "why", "eigenvalues", "weakest_direction", "noise", "planes", "map"));
+  EXPECT_THAT(test::keys(why), testing::UnorderedElementsAre("at", "yaw", "alpha", "verdict", "why", "eigenvalues", "weakest_direction",
+                                                             "noise", "planes", "map"));
   EXPECT_EQ(why["at"], json({1.5, 1.5}));
   EXPECT_EQ(why["alpha"], score["alpha"]);
   EXPECT_EQ(why["eigenvalues"], score["eigenvalues"]);
