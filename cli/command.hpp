@@ -23,6 +23,7 @@ void add_compare_maps(CLI::App& app, Work& work);
 void add_plan(CLI::App& app, Work& work);
 void add_compare(CLI::App& app, Work& work);
 void add_evaluate(CLI::App& app, Work& work);
+void add_export(CLI::App& app, Work& work);
 void add_validate(CLI::App& app, Work& work);
 void add_calibrate(CLI::App& app, Work& work);
 

@@ -103,6 +103,7 @@ int main(int argc, char** argv) {
   add_plan(app, work);
   add_compare(app, work);
   add_evaluate(app, work);
+  add_export(app, work);
   add_validate(app, work);
   add_calibrate(app, work);
   refuse_what_is_no_number(app);

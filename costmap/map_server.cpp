@@ -9,6 +9,7 @@
 #include "core/file.hpp"
 #include "core/yaml_map.hpp"
 #include "costmap/grey_image.hpp"
+#include "costmap/map_server_text.hpp"
 
 namespace alignability {
 namespace {
@@ -98,10 +99,32 @@ OccupancyMap read_occupancy_map(const std::filesystem::path& yaml_file) {
   return OccupancyMap(std::move(occupancy));
 }
 
+namespace detail {
+
+std::string pgm_header(const GridGeometry& geometry) {
+  return "P5\n" + std::to_string(geometry.width) + ' ' + std::to_string(geometry.height) + "\n255\n";
+}
+
+std::string map_yaml(const GridGeometry& geometry, const std::filesystem::path& image, std::string_view mode,
+                     std::string_view occupied_thresh, std::string_view free_thresh) {
+  YAML::Emitter image_name;  // quotes what YAML would take for something else
+  image_name << image.string();
+  std::string text = "image: ";
+  text.append(image_name.c_str()).append("\nmode: ").append(mode).append("\nresolution: ").append(to_text(geometry.resolution));
+  text.append("\norigin: [")
+      .append(to_text(geometry.origin.x()))
+      .append(", ")
+      .append(to_text(geometry.origin.y()))
+      .append(", 0]\nnegate: 0");
+  return text.append("\noccupied_thresh: ").append(occupied_thresh).append("\nfree_thresh: ").append(free_thresh).append("\n");
+}
+
+}  // namespace detail
+
 void write_occupancy_map(const OccupancyMap& map, const std::filesystem::path& name) {
   const GridGeometry& geometry = map.geometry();
   const std::filesystem::path image(name.string() + ".pgm");
-  std::string pgm = "P5\n" + std::to_string(geometry.width) + ' ' + std::to_string(geometry.height) + "\n255\n";
+  std::string pgm = detail::pgm_header(geometry);
   pgm.reserve(pgm.size() + geometry.size());
   for (int y = geometry.height - 1; y >= 0; --y) {
     for (int x = 0; x < geometry.width; ++x) {
@@ -110,11 +133,7 @@ void write_occupancy_map(const OccupancyMap& map, const std::filesystem::path& n
     }
   }
   write_file(image, pgm);
-  YAML::Emitter image_name;  // quotes what YAML would take for something else
-  image_name << image.filename().string();
-  write_file(name.string() + ".yaml", std::string("image: ") + image_name.c_str() + "\nmode: trinary\nresolution: " +
-                                          to_text(geometry.resolution) + "\norigin: [" + to_text(geometry.origin.x()) + ", " +
-                                          to_text(geometry.origin.y()) + ", 0]\nnegate: 0\noccupied_thresh: 0.65\nfree_thresh: 0.196\n");
+  write_file(name.string() + ".yaml", detail::map_yaml(geometry, image.filename(), "trinary", "0.65", "0.196"));
 }
 
 }  // namespace alignability

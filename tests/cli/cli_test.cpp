@@ -8,6 +8,8 @@
 #include <random>
 
 #include "core/file.hpp"
+#include "costmap/alignability_map.hpp"
+#include "costmap/map_server.hpp"
 #include "tests/cli/json_keys.hpp"
 #include "tests/cli/site_cli.hpp"
 
@@ -256,9 +258,24 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
   EXPECT_THAT(outcome.err, StartsWith("bad.yaml:6:8: unknown key 'wieght' (did you mean 'weight'?)"));
 }
 
+TEST_F(Cli, ExportsForOtherPrograms) {
+  ASSERT_EQ(run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "occupancy"}).exit_code, 0);
+  ASSERT_EQ(run(kMap).exit_code, 0);
+  ASSERT_EQ(run({"plan", "problem.yaml", "-o", "way"}).exit_code, 0);
+  const test::Outcome outcome = run({"export", "problem.yaml", "way.csv", "--weight", "5", "-o", "site", "--json"});
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  for (const json& file : json::parse(outcome.out)["files"]) EXPECT_TRUE(exists(file)) << file;
+  const OccupancyMap mask = read_occupancy_map(folder / "site_mask.yaml");
+  EXPECT_EQ(mask.geometry().width, read_occupancy_map(folder / "occupancy.yaml").geometry().width);
+  const std::string nav2 = read_file(folder / "site_nav2.yaml", 1 << 20);
+  EXPECT_THAT(nav2, HasSubstr("yaml_filename: site_mask.yaml"));
+  EXPECT_THAT(nav2, HasSubstr("cost_travel_multiplier: 5.020 "));
+  EXPECT_EQ(read_alignability_map(folder / "site.yaml").alpha().geometry().width, 9);
+}
+
 TEST_F(Cli, EndsHelpWithTwoExamples) {
   for (const std::string command :
-       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "validate", "calibrate"}) {
+       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "export", "validate", "calibrate"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

@@ -154,7 +154,7 @@ TEST_P(EveryOption, OfNumbersRefusesNanAndAllRefuseToLackTheirValue) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Commands, EveryOption,
-                         testing::Values("occupancy", "scan", "sample", "score", "map", "plan", "compare", "explain", "evaluate"),
+                         testing::Values("occupancy", "scan", "sample", "score", "map", "plan", "compare", "explain", "evaluate", "export"),
                          [](const auto& instance) { return instance.param; });
 
 }  // namespace
