@@ -25,6 +25,20 @@ double mean_twist(double h) {
   return (2.0 * sinc(h) - 1.0 - sinc(2.0 * h)) / q;
 }
 
+// (sin h - h cos h) / h³.
+double moment_along(double h) {
+  const double q = h * h;
+  if (std::abs(h) < kSeries) return 1.0 / 3.0 - q * (1.0 / 30.0 - q * (1.0 / 840.0 - q / 45360.0));
+  return (std::sin(h) - h * std::cos(h)) / (q * h);
+}
+
+// (moment_along(h) - moment_along(2h)) / h.
+double moment_aside(double h) {
+  const double q = h * h;
+  if (std::abs(h) < kSeries) return h * (1.0 / 10.0 - q * (1.0 / 56.0 - q * (1.0 / 720.0 - q * 17.0 / 266112.0)));
+  return (moment_along(h) - moment_along(2.0 * h)) / h;
+}
+
 }  // namespace
 
 // Along the direction by sin(κs)/κ, to its left by (1 - cos κs)/κ.
@@ -49,7 +63,8 @@ double BilinearAlongArc::slope(double s) const {
   return heading.dot(gradient + twist * Eigen::Vector2d(p.y(), p.x()));
 }
 
-// At least |d²/ds²| anywhere on the arc.
+double BilinearAlongArc::steepest_slope() const { return gradient.norm() + std::abs(twist) * 0.5 * length; }
+
 double BilinearAlongArc::steepest_bend() const {
   return std::abs(twist) + std::abs(curvature) * (gradient.norm() + std::abs(twist) * 0.5 * length);
 }
@@ -62,31 +77,12 @@ double BilinearAlongArc::mean() const {
   return value + half * mean_sagitta(h) * gradient.dot(left) + twist * half * half * mean_twist(h) * direction.x() * direction.y();
 }
 
-double BilinearAlongArc::crossing(double level, double from, double to) const {
-  const bool is_below = at(from) < level;
-  while (to - from > 1e-13 * length) {
-    const double middle = 0.5 * (from + to);
-    if (middle <= from || middle >= to) break;
-    (at(middle) < level) == is_below ? from = middle : to = middle;
-  }
-  return 0.5 * (from + to);
-}
-
-double BilinearAlongArc::least() const {
-  const double ends = std::min(at(-0.5 * length), at(0.5 * length));
-  return least_within(-0.5 * length, 0.5 * length, ends);
-}
-
-double BilinearAlongArc::least_within(double from, double to, double so_far) const {
-  constexpr double kWorthLooking = 1e-12;
-  const double half = 0.5 * (to - from);
-  const double middle = 0.5 * (from + to);
-  const double here = at(middle);
-  so_far = std::min(so_far, here);
-  const double reach = half * (std::abs(slope(middle)) + 0.5 * half * steepest_bend());
-  if (here - reach >= so_far - kWorthLooking) return so_far;
-  so_far = least_within(from, middle, so_far);
-  return least_within(middle, to, so_far);
+double BilinearAlongArc::mean_moment() const {
+  const double half = 0.5 * length;
+  const double h = curvature * half;
+  // What is even about the middle has none. Of p.x·p.y the odd part is along·aside times this.
+  const double turned = direction.x() * direction.x() - direction.y() * direction.y();
+  return half * half * (moment_along(h) * gradient.dot(direction) + half * moment_aside(h) * twist * turned);
 }
 
 }  // namespace alignability

@@ -3,6 +3,8 @@
 
 #include <Eigen/Core>
 
+#include "costmap/extremes_along.hpp"
+
 namespace alignability {
 
 /// A bilinear function of the plane along an arc, written about the arc's middle: value + gradient·p + twist·p.x·p.y, p the way from the
@@ -18,50 +20,27 @@ struct BilinearAlongArc {
   /// False where a corner of the patch has no value.
   bool is_number() const;
   double at(double s) const;
+  /// d/ds.
+  double slope(double s) const;
+  /// At least |d/ds|, and |d²/ds²|, anywhere on the arc.
+  double steepest_slope() const;
+  double steepest_bend() const;
   /// In closed form, to some 1e-13.
   double mean() const;
+  /// The mean of s times it, likewise, to some 1e-12 of what it may be [m].
+  double mean_moment() const;
   /// To 1e-11.
-  double least() const;
+  double least() const { return detail::least_along(*this); }
 
   /// Calls `visit(length, is_below)` for the stretches on either side of a level, in order. They add up to the length; their ends are
   /// found to 1e-12 of it.
   template <typename Visitor>
   void visit_stretches(double level, Visitor&& visit) const {
-    visit_stretches(level, -0.5 * length, 0.5 * length, visit);
+    detail::visit_stretches(*this, level, visit);
   }
 
  private:
   Eigen::Vector2d way(double s) const;
-  double slope(double s) const;
-  double steepest_bend() const;
-  double crossing(double level, double from, double to) const;
-  double least_within(double from, double to, double so_far) const;
-
-  template <typename Visitor>
-  void visit_stretches(double level, double from, double to, Visitor& visit) const {
-    const double half = 0.5 * (to - from);
-    const double middle = 0.5 * (from + to);
-    const double over = at(middle) - level;
-    const double steep = std::abs(slope(middle));
-    const double bend = half * steepest_bend();
-    if (std::abs(over) >= half * (steep + 0.5 * bend) || half <= 1e-12 * length) {
-      visit(to - from, over < 0.0);
-    } else if (steep >= bend) {
-      visit_monotone(level, from, to, visit);
-    } else {
-      visit_stretches(level, from, middle, visit);
-      visit_stretches(level, middle, to, visit);
-    }
-  }
-
-  template <typename Visitor>
-  void visit_monotone(double level, double from, double to, Visitor& visit) const {
-    const bool is_below = at(from) < level;
-    if (is_below == (at(to) < level)) return visit(to - from, is_below);
-    const double met = crossing(level, from, to);
-    visit(met - from, is_below);
-    visit(to - met, !is_below);
-  }
 };
 
 }  // namespace alignability

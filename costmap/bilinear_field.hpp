@@ -38,6 +38,8 @@ class BilinearField {
   void visit(const Arc& arc, Visitor&& visitor) const;
 
  private:
+  friend class HeadingField;  // whose pieces are those of patches, cut at headings
+
   // The grid whose cells are the patches: its lines run through the centres.
   GridGeometry patches() const;
   struct Corners {
@@ -47,6 +49,7 @@ class BilinearField {
   Corners corners_of(Cell patch) const;
   double in_patch(Cell patch, const Eigen::Vector2d& point) const;
   BilinearAlongArc along(const Arc& arc, Cell patch, double begin, double end) const;
+  Quadratic along(const Eigen::Vector2d& from, const Eigen::Vector2d& step, Cell patch, double begin, double end) const;
 
   Grid<double> nodes_;
 };
@@ -78,16 +81,20 @@ inline double BilinearField::in_patch(Cell patch, const Eigen::Vector2d& point) 
   return below + at.y() * (above - below);
 }
 
+inline Quadratic BilinearField::along(const Eigen::Vector2d& from, const Eigen::Vector2d& step, Cell patch, double begin,
+                                      double end) const {
+  // Three values determine a quadratic.
+  const double first = in_patch(patch, from + begin * step);
+  const double middle = in_patch(patch, from + 0.5 * (begin + end) * step);
+  const double last = in_patch(patch, from + end * step);
+  return {first, 4.0 * middle - 3.0 * first - last, 2.0 * (first + last) - 4.0 * middle};
+}
+
 template <typename Visitor>
 void BilinearField::visit(const Eigen::Vector2d& from, const Eigen::Vector2d& to, Visitor&& visitor) const {
-  detail::traverse(patches(), from, to, [&](Cell patch, double begin, double end) {
-    const Eigen::Vector2d step = to - from;
-    // Three values determine a quadratic.
-    const double first = in_patch(patch, from + begin * step);
-    const double middle = in_patch(patch, from + 0.5 * (begin + end) * step);
-    const double last = in_patch(patch, from + end * step);
-    visitor(end - begin, Quadratic{first, 4.0 * middle - 3.0 * first - last, 2.0 * (first + last) - 4.0 * middle});
-  });
+  const Eigen::Vector2d step = to - from;
+  detail::traverse(patches(), from, to,
+                   [&](Cell patch, double begin, double end) { visitor(end - begin, along(from, step, patch, begin, end)); });
 }
 
 template <typename Visitor>
