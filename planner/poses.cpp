@@ -4,6 +4,8 @@
 #include <ompl/base/spaces/RealVectorStateSpace.h>
 #include <ompl/base/spaces/SE2StateSpace.h>
 
+#include <numbers>
+
 namespace alignability {
 namespace ob = ompl::base;
 
@@ -13,7 +15,9 @@ void set_pose(const ob::StateSpace& space, const Pose2& pose, ob::State* state) 
   if (has_heading(space)) {
     auto* se2 = state->as<ob::SE2StateSpace::StateType>();
     se2->setXY(pose.x, pose.y);
-    se2->setYaw(normalized_angle(pose.yaw));
+    const double yaw = normalized_angle(pose.yaw);
+    // To OMPL π itself is out of bounds.
+    se2->setYaw(yaw < std::numbers::pi ? yaw : -std::numbers::pi);
     return;
   }
   double* values = state->as<ob::RealVectorStateSpace::StateType>()->values;
