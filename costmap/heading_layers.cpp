@@ -2,6 +2,7 @@
 #include "costmap/heading_layers.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 
 namespace alignability {
@@ -39,6 +40,19 @@ std::vector<const Grid<float>*> heading_layers(const AlignabilityMap& map) {
     if (layers.back()->geometry() != map.geometry) throw std::invalid_argument(heading_layer_name(heading) + " has another grid");
   }
   return layers;
+}
+
+Grid<float> best_over_headings(const AlignabilityMap& map) {
+  const std::vector<const Grid<float>*> layers = heading_layers(map);
+  if (layers.empty()) return map.alpha();
+  Grid<float> best = *layers.front();
+  for (const Grid<float>* layer : layers) {
+    for (std::size_t cell = 0; cell < map.geometry.size(); ++cell) {
+      // What is no number is not less, and stays.
+      if (!((*layer)[cell] <= best[cell])) best[cell] = std::isnan(best[cell]) ? best[cell] : (*layer)[cell];
+    }
+  }
+  return best;
 }
 
 }  // namespace alignability

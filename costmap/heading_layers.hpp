@@ -21,4 +21,7 @@ std::optional<std::string> fault_of_heading_layers(std::span<const std::string> 
 /// They last as long as the map. Throws std::invalid_argument with the fault.
 std::vector<const Grid<float>*> heading_layers(const AlignabilityMap& map);
 
+/// Cell by cell the greatest α at any heading, NaN where it is at one; `alpha` of a map that is the same at all. Throws likewise.
+Grid<float> best_over_headings(const AlignabilityMap& map);
+
 }  // namespace alignability

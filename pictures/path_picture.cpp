@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "core/range.hpp"
+#include "costmap/heading_layers.hpp"
 #include "pictures/axes.hpp"
 #include "pictures/legend.hpp"
 #include "pictures/map_layers.hpp"
@@ -78,8 +79,9 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
 
   draw_title(context, layout, options.title);
   if (!paths.empty()) draw_key(context, layout, keyed, options);
-  const MapLegend legend = options.risk_map ? risk_legend(*options.risk_map) : alignability_legend(options.risk, Tone::pale);
-  draw_map(context, layout.view, options.risk_map.value_or(map.alpha()), legend.colour_of, occupancy, Tone::pale);
+  MapLegend legend = options.risk_map ? risk_legend(*options.risk_map) : alignability_legend(options.risk, Tone::pale);
+  if (!heading_layers(map).empty()) legend.name += ", best heading";
+  draw_map(context, layout.view, options.risk_map ? *options.risk_map : best_over_headings(map), legend.colour_of, occupancy, Tone::pale);
   draw_path_layer(context, layout.view, paths, options);
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);

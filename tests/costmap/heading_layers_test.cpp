@@ -49,6 +49,20 @@ TEST(HeadingLayers, AreRefusedOnAnotherGrid) {
   EXPECT_THROW(heading_layers(map), std::invalid_argument);
 }
 
+TEST(HeadingLayers, HaveTheirBestCellByCell) {
+  AlignabilityMap map = map_by_heading(3);
+  map.layers[2].values[1] = 0.9f;
+  map.layers[1].values[4] = std::numeric_limits<float>::quiet_NaN();
+  map.layers[3].values[5] = std::numeric_limits<float>::quiet_NaN();
+  const Grid<float> best = best_over_headings(map);
+  EXPECT_EQ(best[0], map.layers[3].values[0]);
+  EXPECT_EQ(best[1], 0.9f);
+  EXPECT_TRUE(std::isnan(best[4]));
+  EXPECT_TRUE(std::isnan(best[5]));
+  map.layers.resize(1);
+  EXPECT_EQ(best_over_headings(map).values(), map.alpha().values());
+}
+
 TEST(HeadingLayers, ComeBackFromAFile) {
   const test::TemporaryFolder folder;
   const AlignabilityMap map = map_by_heading(8);

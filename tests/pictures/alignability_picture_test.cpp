@@ -5,9 +5,11 @@
 
 #include "core/file.hpp"
 #include "pictures/colour_map.hpp"
+#include "pictures/heading_strip.hpp"
 #include "pictures/map_layout.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/core/thrown_message.hpp"
+#include "tests/costmap/heading_maps.hpp"
 #include "tests/pictures/read_png.hpp"
 #include "tests/pictures/small_site.hpp"
 
@@ -135,6 +137,21 @@ TEST_F(AlignabilityPicture, TheSameMapGivesTheSameBytes) {
   const SmallSite site;
   for (const char* name : {"a.png", "b.png"}) draw_alignability_map(site.map, site.occupancy, {}, folder_ / name);
   EXPECT_EQ(read_file(folder_ / "a.png", 1u << 24), read_file(folder_ / "b.png", 1u << 24));
+}
+
+TEST_F(AlignabilityPicture, ShowsEachHeadingBelow) {
+  const OccupancyMap occupancy = ascii_map(1.0, {"....", "...."});
+  const AlignabilityMap map = heading_map({.resolution = 1.0, .width = 4, .height = 2}, 4,
+                                          [](const Eigen::Vector2d&, double yaw) { return static_cast<float>(0.2 * yaw); });
+  draw_alignability_map(map, occupancy, {.title = "headings", .risk = {}}, folder_ / "map.png");
+  const Picture picture(folder_ / "map.png");
+  const detail::View view = detail::lay_out(detail::view_of(map.geometry, occupancy), "headings", 1).view;
+  EXPECT_LE(difference(picture.at(view.to_pixel({1.3, 1.3})), alignability_colour(0.0, Tone::full)), kRounding) << "the worst";
+  for (std::size_t k = 0; k < 4; ++k) {
+    const detail::View small = detail::small_view(view, k, 4);
+    EXPECT_LE(difference(picture.at(small.to_pixel({1.3, 1.3})), alignability_colour(map.layers[k + 1].values[0], Tone::full)), kRounding)
+        << k;
+  }
 }
 
 }  // namespace
