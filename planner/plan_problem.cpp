@@ -5,6 +5,7 @@
 #include <sstream>
 
 #include "core/yaml_map.hpp"
+#include "costmap/heading_layers.hpp"
 #include "costmap/map_server.hpp"
 #include "costmap/scenario_map.hpp"
 #include "planner/planners.hpp"
@@ -151,6 +152,9 @@ AlignabilityMap read_scenarios(const ProblemFile& file) {
     maps.push_back(read_alignability_map(path));
     if (maps.back().geometry != maps.front().geometry) {
       throw InputError(path, "has another grid than " + file.alignability.front().string() + ", a scenario of the same site");
+    }
+    if (heading_layers(maps.back()).size() != heading_layers(maps.front()).size()) {
+      throw InputError(path, "has other headings than " + file.alignability.front().string() + ", a scenario of the same site");
     }
   }
   return scenario_map(maps, file.scenario_quantile);

@@ -6,6 +6,8 @@
 #include <limits>
 #include <stdexcept>
 
+#include "tests/costmap/heading_maps.hpp"
+
 namespace alignability {
 namespace {
 
@@ -41,6 +43,20 @@ TEST(ScenarioMap, RefusesNoMapsOtherGridsAndOtherQuantiles) {
   EXPECT_THROW(scenario_map(std::vector{kRacks[0], map_of({0.1f})}, 0.0), std::invalid_argument);
   EXPECT_THROW(scenario_map(kRacks, 1.5), std::invalid_argument);
   EXPECT_THROW(scenario_map(kRacks, std::numeric_limits<double>::quiet_NaN()), std::invalid_argument);
+}
+
+TEST(ScenarioMap, TakesEachHeadingByItself) {
+  const GridGeometry cell{.resolution = 1.0, .width = 1, .height = 1};
+  const auto facing = [&](float east, float west) {
+    return test::heading_map(cell, 2, [=](const Eigen::Vector2d&, double yaw) { return yaw == 0.0 ? east : west; });
+  };
+  const AlignabilityMap worst = scenario_map(std::vector{facing(0.2f, 0.8f), facing(0.6f, 0.5f)}, 0.0);
+  ASSERT_EQ(heading_layers(worst).size(), 2u);
+  EXPECT_EQ((*heading_layers(worst)[0])[0], 0.2f);
+  EXPECT_EQ((*heading_layers(worst)[1])[0], 0.5f);
+  AlignabilityMap plain = facing(0.2f, 0.8f);
+  plain.layers.resize(1);
+  EXPECT_THROW(scenario_map(std::vector{facing(0.2f, 0.8f), plain}, 0.0), std::invalid_argument);
 }
 
 }  // namespace
