@@ -39,7 +39,7 @@ const char* explanation(PlanStatus status) {
   return "";
 }
 
-// At the centres of cells as small as the map's, or as a picture can show.
+// At the centres of cells as small as the map's, or as a picture can show; where it depends on heading, at the best.
 Grid<float> drawn_risk(const RiskField& risk, const GridGeometry& map) {
   constexpr double kMostCells = 1000.0;  // along a side
   GridGeometry cells = map;
@@ -49,7 +49,7 @@ Grid<float> drawn_risk(const RiskField& risk, const GridGeometry& map) {
   Grid<float> drawn(cells, 0.0f);
   for (std::size_t i = 0; i < drawn.values().size(); ++i) {
     const Eigen::Vector2d at = cells.center(cells.cell_of(i));
-    drawn[i] = static_cast<float>(risk.risk(at.x(), at.y(), 0.0));
+    drawn[i] = static_cast<float>(risk.least_risk(at));
   }
   return drawn;
 }
@@ -72,7 +72,7 @@ void write_path_csv(const PlanResult& result, const RiskField& risk, const std::
     const std::string alpha = std::isnan(at.alpha) ? "" : to_text(at.alpha);
     text += to_text(at.pose.x) + ',' + to_text(at.pose.y) + ',' + to_text(at.pose.yaw) + ',' + to_text(at.s) + ',' + alpha + ',' +
             to_text(at.risk);
-    for (std::size_t i = 0; i < sources.size(); ++i) text.append(",").append(to_text(risk.layers()[i].risk.at(at.pose.position())));
+    for (std::size_t i = 0; i < sources.size(); ++i) text.append(",").append(to_text(risk.layers()[i].at(at.pose)));
     text += '\n';
   }
   write_file(csv, text);

@@ -96,10 +96,6 @@ double RiskField::least_risk(const Eigen::Vector2d& point) const {
   return sum([&](const RiskLayer& layer) { return layer.risk.at(point); });
 }
 
-double RiskField::least_integral(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-  return sum([&](const RiskLayer& layer) { return layer.risk.integral(from, to); });
-}
-
 double RiskField::alpha(double x, double y, double yaw) const {
   return has_headings() ? alpha_headings_.at({x, y, yaw}) : alpha_.at({x, y});
 }

@@ -84,7 +84,9 @@ class RiskField {
   /// Node by node at the best of the map's headings: what the risk is at least, and α at most, at any heading; the values themselves where
   /// there are no headings. Of the best field the integral and α are those of a plain field.
   double least_risk(const Eigen::Vector2d& point) const;
-  double least_integral(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+  double least_integral(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+    return sum([&](const RiskLayer& layer) { return layer.risk.integral(from, to); });
+  }
   double greatest_alpha(const Eigen::Vector2d& point) const { return alpha_.at(point); }
   /// The field of these values, which takes no notice of yaw.
   RiskField best_over_headings() const;

@@ -6,6 +6,7 @@
 
 #include "core/range.hpp"
 #include "planner/ellipse_sampler.hpp"
+#include "planner/headings.hpp"
 #include "planner/informed_field_sampler.hpp"
 #include "planner/pose_goal.hpp"
 #include "planner/poses.hpp"
@@ -18,6 +19,7 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
     : AlignabilityObjective(si, std::move(risk), options, projection_of(si->getStateSpace()),
                             Steering::serves(*si->getStateSpace()) ? MotionShape::curved : MotionShape::straight) {
   in_plain_space_ = true;
+  faces_ahead_ = risk_->has_headings() && !has_heading(*si->getStateSpace());
 }
 
 AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk,
@@ -36,7 +38,8 @@ void AlignabilityObjective::set_bounds(std::shared_ptr<const RouteBounds> bounds
 
 ob::Cost AlignabilityObjective::stateCost(const ob::State* state) const {
   const Pose2 pose = projection_(state);
-  return ob::Cost(1.0 + options_.weight * risk_->risk(pose.x, pose.y, pose.yaw));
+  const double risk = faces_ahead_ ? risk_->least_risk(pose.position()) : risk_->risk(pose.x, pose.y, pose.yaw);
+  return ob::Cost(1.0 + options_.weight * risk);
 }
 
 ob::Cost AlignabilityObjective::motionCost(const ob::State* from, const ob::State* to) const {
@@ -60,7 +63,8 @@ ob::Cost AlignabilityObjective::motionCostHeuristic(const ob::State* from, const
 
 // The way back along a curve may be another: of two words as short, OMPL takes the first that it comes upon.
 bool AlignabilityObjective::isSymmetric() const {
-  return shape_ == MotionShape::straight || (shape_ == MotionShape::interpolated && si_->getStateSpace()->hasSymmetricInterpolate());
+  return (shape_ == MotionShape::straight && !faces_ahead_) ||
+         (shape_ == MotionShape::interpolated && si_->getStateSpace()->hasSymmetricInterpolate());
 }
 
 double AlignabilityObjective::cost_of(const Curve& curve) const {
@@ -110,6 +114,10 @@ double AlignabilityObjective::least_turning(const ob::ProblemDefinition& problem
 
 double AlignabilityObjective::straight_cost(const Pose2& from, const Pose2& to) const {
   const double length = (to.position() - from.position()).norm();
+  if (faces_ahead_ && length > 0.0) {
+    const auto [begin, end] = facing_ahead(from.position(), to.position());
+    return length + options_.weight * risk_->integral(begin, end);
+  }
   return length + options_.weight * risk_->integral(from, to) + turning(from, to);
 }
 

@@ -28,7 +28,8 @@ struct ObjectiveOptions {
 
 /// Cost of a path in equivalent metres: J = ∫ (1 + w·risk) ds + turn_cost·∫ |dyaw| + reverse_penalty·(length driven backward). Heuristics
 /// are its lower bounds: length and turning, or what set_bounds gives. Additive under splitting, finite everywhere, symmetric for straight
-/// motions. Const and without mutable state: one objective serves many threads.
+/// motions but in R² where risk depends on heading: there a robot faces where it goes. Const and without mutable state: one objective
+/// serves many threads.
 class AlignabilityObjective : public ompl::base::OptimizationObjective {
  public:
   /// In R², SE(2), Dubins and Reeds-Shepp spaces. Throws ompl::Exception in other spaces and for options out of range.
@@ -37,7 +38,7 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   AlignabilityObjective(const ompl::base::SpaceInformationPtr& si, std::shared_ptr<const RiskField> risk, const ObjectiveOptions& options,
                         StateProjection projection, MotionShape shape);
 
-  /// 1 + w·risk: what a metre costs there.
+  /// 1 + w·risk: what a metre costs there; in R², which has no headings, at the best.
   ompl::base::Cost stateCost(const ompl::base::State* state) const override;
   ompl::base::Cost motionCost(const ompl::base::State* from, const ompl::base::State* to) const override;
   /// The straight way's length or, with bounds, what they say of the two places, and turning: admissible, consistent, symmetric.
@@ -77,6 +78,7 @@ class AlignabilityObjective : public ompl::base::OptimizationObjective {
   MotionShape shape_;
   std::optional<Steering> steering_;  // of curved motions
   bool in_plain_space_ = false;       // with a projection of its own
+  bool faces_ahead_ = false;          // in R²
 };
 
 }  // namespace alignability

@@ -26,7 +26,7 @@ std::optional<double> greatest_alpha(const RiskField& risk, const GridGeometry& 
   const Eigen::Vector2d center = nodes.center({0, 0}), low = map.corner(cell), high = map.corner({cell.x + 1, cell.y + 1});
   const std::vector<double> columns = cuts(low.x(), high.x(), center.x(), nodes.resolution);
   const std::vector<double> rows = cuts(low.y(), high.y(), center.y(), nodes.resolution);
-  const auto alpha = [&](double x, double y) { return risk.alpha(x, y, 0.0); };
+  const auto alpha = [&](double x, double y) { return risk.greatest_alpha({x, y}); };
   std::optional<double> greatest;
   for (std::size_t i = 0; i + 1 < columns.size(); ++i) {
     for (std::size_t j = 0; j + 1 < rows.size(); ++j) {
@@ -47,7 +47,7 @@ std::optional<double> greatest_alpha(const RiskField& risk, const GridGeometry& 
 
 std::optional<double> greatest_alpha_floor(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
   const GridGeometry& map = motion.clearance->geometry();
-  const double at_start = motion.risk->alpha(start.x(), start.y(), 0.0), at_goal = motion.risk->alpha(goal.x(), goal.y(), 0.0);
+  const double at_start = motion.risk->greatest_alpha(start), at_goal = motion.risk->greatest_alpha(goal);
   const auto from = map.cell_near(start), to = map.cell_near(goal);
   if (!from || !to || std::isnan(at_start) || std::isnan(at_goal)) return std::nullopt;
   const double reach = map.resolution / std::numbers::sqrt2 + 1e-6 * map.resolution;

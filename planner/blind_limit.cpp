@@ -14,26 +14,39 @@ Ground ground_at(double alpha, const RiskField& risk) {
   return alpha >= risk.options().alpha_safe ? Ground::safe : Ground::poor;
 }
 
+// Of a Quadratic or a Cubic along a piece of a way.
+template <typename Polynomial, typename Visit>
+void walk_piece(double length, const Polynomial& alpha, const RiskField& risk, Visit& visit) {
+  if (!alpha.is_number()) return visit(ground_at(std::numeric_limits<double>::quiet_NaN(), risk), length);
+  const auto blind = alpha.crossings(risk.options().alpha_critical);
+  const auto safe = alpha.crossings(risk.options().alpha_safe);
+  std::array<double, 2 + 2 * std::tuple_size_v<decltype(blind)>> cuts{0.0, 1.0};
+  std::ranges::copy(safe, std::ranges::copy(blind, cuts.begin() + 2).out);
+  std::ranges::sort(cuts);
+  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
+    if (cuts[i + 1] > cuts[i]) visit(ground_at(alpha.at(0.5 * (cuts[i] + cuts[i + 1])), risk), length * (cuts[i + 1] - cuts[i]));
+  }
+}
+
 // Calls `visit(ground, metres)` for each stretch of a straight way, in order.
 template <typename Visit>
 void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk, Visit visit) {
   const double length = (to - from).norm();
-  risk.alpha_layer().visit(from, to, [&](double share, const Quadratic& alpha) {
-    if (!alpha.is_number()) return visit(ground_at(std::numeric_limits<double>::quiet_NaN(), risk), share * length);
-    const auto [a, b] = alpha.crossings(risk.options().alpha_critical);
-    const auto [c, d] = alpha.crossings(risk.options().alpha_safe);
-    std::array cuts{0.0, a, b, c, d, 1.0};
-    std::ranges::sort(cuts);
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] > cuts[i]) visit(ground_at(alpha.at(0.5 * (cuts[i] + cuts[i + 1])), risk), share * length * (cuts[i + 1] - cuts[i]));
-    }
-  });
+  risk.alpha_layer().visit(from, to, [&](double share, const Quadratic& alpha) { walk_piece(share * length, alpha, risk, visit); });
+}
+
+// The same for a way on which it turns evenly.
+template <typename Visit>
+void walk(const Pose2& from, const Pose2& to, const RiskField& risk, Visit visit) {
+  if (!risk.has_headings()) return walk(from.position(), to.position(), risk, visit);
+  const double length = (to.position() - from.position()).norm();
+  risk.alpha_headings().visit(from, to, [&](double share, const Cubic& alpha) { walk_piece(share * length, alpha, risk, visit); });
 }
 
 // The same for the stretches of an arc.
 template <typename Visit>
 void walk(const Arc& arc, const RiskField& risk, Visit visit) {
-  risk.alpha_layer().visit(arc, [&](const BilinearAlongArc& alpha) {
+  const auto walk_piece = [&](const auto& alpha) {
     if (!alpha.is_number()) return visit(ground_at(std::numeric_limits<double>::quiet_NaN(), risk), alpha.length);
     std::vector<double> cuts{0.0};
     for (const double level : {risk.options().alpha_critical, risk.options().alpha_safe}) {
@@ -45,7 +58,8 @@ void walk(const Arc& arc, const RiskField& risk, Visit visit) {
       const double middle = 0.5 * (cuts[i] + cuts[i + 1] - alpha.length);
       if (cuts[i + 1] > cuts[i]) visit(ground_at(alpha.at(middle), risk), cuts[i + 1] - cuts[i]);
     }
-  });
+  };
+  risk.has_headings() ? risk.alpha_headings().visit(arc, walk_piece) : risk.alpha_layer().visit(arc, walk_piece);
 }
 
 BlindState moved(BlindState state, Ground ground, double metres, double recovery) {
@@ -112,7 +126,7 @@ std::optional<BlindState> BlindLimit::after(const State& state, const Change& ch
 
 double longest_unrecovered(std::span<const Pose2> path, const RiskField& risk, double recovery) {
   LongestUnrecovered longest{recovery};
-  for (std::size_t i = 1; i < path.size(); ++i) walk(path[i - 1].position(), path[i].position(), risk, std::ref(longest));
+  for (std::size_t i = 1; i < path.size(); ++i) walk(path[i - 1], path[i], risk, std::ref(longest));
   return longest.most;
 }
 

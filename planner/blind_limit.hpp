@@ -39,6 +39,7 @@ struct BlindLimit {
   double recovery = 1.0;  ///< [m], > 0
 
   State at_start() const { return {}; }
+  /// Of straight ways only by a risk field that takes no notice of headings.
   Change change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
 
   /// How blind a robot gets along a straight way; nullopt where it breaks the limit on it. O(α-cells crossed).

@@ -19,10 +19,11 @@ enum class Inside : std::uint8_t {
 
 }  // namespace detail
 
-/// A certified lower bound of what ∫ (1 + w·risk) ds, the risk that of all sources, costs a robot that has to get to a disk, from anywhere:
-/// L, a continuous function over the lattice's open cells, 0 at the disk, of whose gradient every open cell proves |∇L| ≤ 1 + w·risk. A
-/// drivable path stays in open cells, so along it L changes by no more than it costs, to within rounding: L is at most the cost of getting
-/// to the disk, and |L(a) − L(b)| at most that of getting from a to b. The latter is admissible, consistent and symmetric.
+/// A certified lower bound of what ∫ (1 + w·risk) ds, the risk that of all sources at the best heading, costs a robot that has to get to a
+/// disk, from anywhere: L, a continuous function over the lattice's open cells, 0 at the disk, of whose gradient every open cell proves
+/// |∇L| ≤ 1 + w·risk. A drivable path stays in open cells, so along it L changes by no more than it costs, to within rounding: L is at most
+/// the cost of getting to the disk, and |L(a) − L(b)| at most that of getting from a to b. The latter is admissible, consistent and
+/// symmetric.
 ///
 /// How: along each edge of the lattice L may grow by no more than a limit, one for either direction; L(node) is the least that limits add
 /// up to from the disk, by Dijkstra's algorithm. Between its ends L is linear along an edge but for β·(t² − t), t the share of the edge and

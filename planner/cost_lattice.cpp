@@ -44,7 +44,7 @@ double least_share(const RiskField& risk, double weight, const Eigen::AlignedBox
   if (rows.empty()) rows = kBothSides;
   const auto cost = [&](double x, double y) {
     const Eigen::Vector2d at = cell.min() + Eigen::Vector2d(x, y).cwiseProduct(cell.sizes());
-    return 1.0 + weight * risk.risk(at.x(), at.y(), 0.0);
+    return 1.0 + weight * risk.least_risk(at);
   };
   const double low_left = cost(0.0, 0.0), low_right = cost(1.0, 0.0), high_left = cost(0.0, 1.0), high_right = cost(1.0, 1.0);
   double share = 1.0;
@@ -98,7 +98,7 @@ CostLattice::CostLattice(const RiskField& risk, const ClearanceMap& clearance, d
         float& at = cost[geometry.index(node)];
         if (at != kNowhere) continue;
         const Eigen::Vector2d corner = geometry.corner(node);
-        at = static_cast<float>(1.0 + weight * risk.risk(corner.x(), corner.y(), 0.0));
+        at = static_cast<float>(1.0 + weight * risk.least_risk(corner));
       }
     }
   }

@@ -10,7 +10,8 @@
 
 namespace alignability {
 
-/// What fast marching and bounds run on: what a metre costs at the corners of a map's cells, and which cells a robot may be in.
+/// What fast marching and bounds run on: what a metre costs at the corners of a map's cells, and which cells a robot may be in. Where risk
+/// depends on heading, that of the best one counts (see RiskField::least_risk), so that a bound holds for any.
 struct CostLattice {
   /// Of a robot that holds a disk of that radius [m] around `base_link`; weight >= 0. O(cells).
   CostLattice(const RiskField& risk, const ClearanceMap& clearance, double weight, double radius);
@@ -18,7 +19,7 @@ struct CostLattice {
   /// Node (x, y) is its corner({x, y}), and the lower left corner of its cell (x, y). The map's cells begin at (1, 1): a ring is left
   /// around them, in which nothing is open, so that no neighbour of an open cell is missing.
   GridGeometry geometry;
-  /// 1 + w·risk at the corners of open cells, infinite elsewhere.
+  /// 1 + w·(the least risk) at the corners of open cells, infinite elsewhere.
   std::vector<float> cost;
   /// Of a cell: the greatest factor in [0,1] by which the bilinear interpolation of its corners' cost is nowhere above the cost; 0 where
   /// the cell is not open, that is, where no point of it can be drivable.

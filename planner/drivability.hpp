@@ -10,7 +10,8 @@
 
 namespace alignability {
 
-/// A state is valid within the bounds of its space and where the drivable area contains its pose. Const, without mutable state.
+/// A state is valid within the bounds of its space and where the drivable area contains its pose, in R² some pose there. Const, without
+/// mutable state.
 class DrivabilityChecker : public ompl::base::StateValidityChecker {
  public:
   /// In R², SE(2), Dubins and Reeds-Shepp spaces.
@@ -26,9 +27,11 @@ class DrivabilityChecker : public ompl::base::StateValidityChecker {
  private:
   DrivableArea area_;
   StateProjection projection_;
+  bool has_heading_ = true;
 };
 
-/// Checks straight motions (R², SE(2)) exactly. Counts nothing: OMPL's counters are not safe to share between threads.
+/// Checks straight motions (R², where a robot faces where it goes, and SE(2)) exactly. Counts nothing: OMPL's counters are not safe to
+/// share between threads.
 class DrivabilityMotionValidator : public ompl::base::MotionValidator {
  public:
   DrivabilityMotionValidator(const ompl::base::SpaceInformationPtr& si, DrivableArea area);
@@ -39,8 +42,11 @@ class DrivabilityMotionValidator : public ompl::base::MotionValidator {
                    std::pair<ompl::base::State*, double>& last_valid) const override;
 
  private:
+  bool is_drivable(const Pose2& from, const Pose2& to) const;
+
   DrivableArea area_;
   StateProjection projection_;
+  bool has_heading_;
 };
 
 /// Checks a car's motions along their true curves, in Dubins and Reeds-Shepp spaces; counts nothing. A motion for which OMPL has no curve

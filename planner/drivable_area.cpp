@@ -33,15 +33,19 @@ DrivableArea::DrivableArea(std::shared_ptr<const ClearanceMap> clearance, std::s
 
 bool DrivableArea::contains(const Pose2& pose) const {
   const Eigen::Vector2d at = pose.position();
-  if (!clearance_->is_clear(at, inscribed_radius_) || !risk_->is_drivable(at)) return false;
+  if (!clearance_->is_clear(at, inscribed_radius_) || !risk_->is_drivable_at(pose)) return false;
   return !sweep_ || clearance_->is_clear(at, circumscribed_radius_) || sweep_->is_clear(pose);
 }
 
 bool DrivableArea::contains(const Pose2& from, const Pose2& to) const {
   const Eigen::Vector2d a = from.position();
   const Eigen::Vector2d b = to.position();
-  if (!clearance_->is_clear(a, b, inscribed_radius_) || !risk_->is_drivable(a, b)) return false;
+  if (!clearance_->is_clear(a, b, inscribed_radius_) || !risk_->is_drivable_along(from, to)) return false;
   return !sweep_ || clearance_->is_clear(a, b, circumscribed_radius_) || sweep_->is_clear(from, to);
+}
+
+bool DrivableArea::contains_disk(const Eigen::Vector2d& place) const {
+  return clearance_->is_clear(place, inscribed_radius_) && risk_->is_drivable(place);
 }
 
 bool DrivableArea::contains(const Arc& arc) const {

@@ -20,8 +20,10 @@ class DrivableArea {
   DrivableArea(std::shared_ptr<const ClearanceMap> clearance, std::shared_ptr<const RiskField> risk, const Robot& robot);
 
   bool contains(const Pose2& pose) const;
+  /// Whether it contains some pose there of a robot that is a disk.
+  bool contains_disk(const Eigen::Vector2d& place) const;
   /// Whether it contains every pose on the straight way, on which the robot turns evenly the shorter way around (a disk may turn as it
-  /// likes). No sampling: a wall of one thin cell is never passed.
+  /// likes, but for a floor of α where that depends on heading). No sampling: a wall of one thin cell is never passed.
   bool contains(const Pose2& from, const Pose2& to) const;
   /// Whether it contains every pose on the arc or curve itself: refused where the robot comes nearer to an obstacle than a thousandth of a
   /// cell, never allowed where it collides.

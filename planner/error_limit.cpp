@@ -9,25 +9,30 @@ namespace {
 
 constexpr double kStep = 0.05;  // [m], on which α is taken for one
 
-// Calls `visit(α, metres)` for each step of a way, until it returns false. `at(share)`: the place after that share of it.
+// Calls `visit(α, metres)` for each step of a way, until it returns false. `at(share)`: the pose after that share of it.
 template <typename At, typename Visit>
 void walk(double length, const RiskField& risk, At at, Visit visit) {
   const int steps = std::max(1, static_cast<int>(std::ceil(length / kStep)));
   for (int i = 0; i < steps; ++i) {
-    const Eigen::Vector2d middle = at((i + 0.5) / steps);
-    if (!visit(risk.alpha(middle.x(), middle.y(), 0.0), length / steps)) return;
+    const Pose2 middle = at((i + 0.5) / steps);
+    if (!visit(risk.alpha(middle.x, middle.y, middle.yaw), length / steps)) return;
   }
 }
 
 template <typename Visit>
+void walk(const Pose2& from, const Pose2& to, const RiskField& risk, Visit visit) {
+  walk((to.position() - from.position()).norm(), risk, [&](double share) { return between(from, to, share); }, visit);
+}
+
+template <typename Visit>
 void walk(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk, Visit visit) {
-  walk((to - from).norm(), risk, [&](double share) -> Eigen::Vector2d { return from + share * (to - from); }, visit);
+  walk(Pose2{from.x(), from.y(), 0.0}, Pose2{to.x(), to.y(), 0.0}, risk, visit);
 }
 
 template <typename Visit>
 void walk(const Arc& arc, const RiskField& risk, Visit visit) {
   walk(
-      arc.length(), risk, [&](double share) { return arc.at(share * arc.length()).position(); }, visit);
+      arc.length(), risk, [&](double share) { return arc.at(share * arc.length()); }, visit);
 }
 
 // After a straight way, from and to, or an arc.
@@ -44,10 +49,8 @@ std::vector<PredictedError> predicted_errors(std::span<const Pose2> path, const 
   if (path.empty()) return along;
   along.push_back({0.0, model.least});
   for (std::size_t i = 1; i < path.size(); ++i) {
-    const Eigen::Vector2d from = path[i - 1].position();
-    const Eigen::Vector2d to = path[i].position();
-    if (from == to) continue;
-    walk(from, to, risk, [&](double alpha, double metres) {
+    if (path[i - 1].position() == path[i].position()) continue;
+    walk(path[i - 1], path[i], risk, [&](double alpha, double metres) {
       along.push_back({along.back().s + metres, model.advanced(along.back().error, alpha, metres)});
       return true;
     });

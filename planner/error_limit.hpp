@@ -39,7 +39,7 @@ struct ErrorLimit {
   double most = 0.0;  ///< [m], > 0
 
   State at_start() const { return model.least; }
-  /// What a straight way makes of an error.
+  /// What a straight way makes of an error; of straight ways only by a risk field that takes no notice of headings.
   Change change(const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;
   /// What the error grows to along a straight way; nullopt where it exceeds the limit at some place of it.
   std::optional<State> after(State error, const Eigen::Vector2d& from, const Eigen::Vector2d& to, const RiskField& risk) const;

@@ -51,7 +51,7 @@ class WayJudge {
 
   RouteStatus reason(const Pose2& from, const Pose2& obstruction) const {
     if (!fits_on_map(obstruction)) return RouteStatus::outside_map;
-    return fields_.risk->is_drivable(from.position(), obstruction.position()) ? RouteStatus::in_collision : RouteStatus::unevaluated;
+    return fields_.risk->is_drivable_along(from, obstruction) ? RouteStatus::in_collision : RouteStatus::unevaluated;
   }
 
   // Whether the robot's outline stays clear of the map's edge.

@@ -11,6 +11,7 @@
 #include "planner/heading_search.hpp"
 #include "planner/planners.hpp"
 #include "planner/pose_goal.hpp"
+#include "planner/pose_refinement.hpp"
 #include "planner/poses.hpp"
 
 namespace alignability {
@@ -26,6 +27,7 @@ struct Task {
   Pose2 start;
   Pose2 goal;
   GoalTolerance tolerance;
+  bool faces_ahead;  // where it goes, as in R²
 };
 
 // Those of the disks that paths in the plane are made for.
@@ -36,20 +38,41 @@ std::vector<double> radii(const DrivableArea& area) {
   return {most, 0.5 * (least + most), least};
 }
 
-std::optional<PlanarPath> planar_path(const Task& task, const PlanarMotion& motion) {
+// Over a lattice of motions that cost the same either way, whether or not the robot's do.
+std::optional<PlanarPath> path_on_lattice(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+                                          const ob::PlannerTerminationCondition& until) {
+  if (motion.facing == Facing::anywhere) return steepest_path(motion, start, goal);
+  PlanarMotion either_way = motion;
+  either_way.facing = Facing::anywhere;
+  const GoalField field(std::make_shared<const DrivableLattice>(either_way), goal);
+  return field.directed_path_from(start, motion, [&until] { return until.eval(); });
+}
+
+std::optional<PlanarPath> planar_path(const Task& task, const PlanarMotion& motion, const ob::PlannerTerminationCondition& until) {
   const Eigen::Vector2d start = task.start.position();
   const Eigen::Vector2d goal = task.goal.position();
   if (!motion.is_allowed(start, start) || !motion.is_allowed(goal, goal)) return std::nullopt;
-  const auto path = steepest_path(motion, start, goal);
+  const auto path = path_on_lattice(motion, start, goal, until);
   if (!path) return std::nullopt;
   // Short of the limit by more than rounding, so that it is met.
   return cut_within(refined(*path, motion), (1.0 - 1e-6) * task.tolerance.position);
 }
 
+// Whether it is of importance where the robot faces, beyond what turning costs.
+bool depends_on_heading(const Task& task) {
+  const RiskField& risk = *task.area.risk_field();
+  return risk.has_headings() && (task.objective.options().weight > 0.0 || risk.options().min_alpha);
+}
+
 std::optional<std::vector<Pose2>> with_headings(const PlanarPath& path, const Task& task, double radius) {
   const HeadingEnds ends{task.start.yaw, task.goal.yaw, task.tolerance.heading};
+  if (depends_on_heading(task) && !task.faces_ahead) {
+    const ObjectiveOptions& by = task.objective.options();
+    auto poses = turning_clear(path, ends, task.area, {by.turn_cost, by.weight});
+    return poses ? std::optional(refined(std::move(*poses), {task.area, by.weight, by.turn_cost})) : std::nullopt;
+  }
   if (radius >= task.area.circumscribed_radius()) return turning_evenly(path, ends);
-  return turning_clear(path, ends, task.area);
+  return turning_clear(path, ends, task.area, {});
 }
 
 PathPtr as_states(const std::vector<Pose2>& poses, const ob::SpaceInformationPtr& si) {
@@ -63,9 +86,10 @@ PathPtr as_states(const std::vector<Pose2>& poses, const ob::SpaceInformationPtr
 }
 
 // nullptr where the plane's path for a disk of that radius makes none for the robot.
-PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformationPtr& si) {
-  const PlanarMotion motion{task.area.risk_field(), task.area.clearance_map(), task.objective.options().weight, radius};
-  const auto planar = planar_path(task, motion);
+PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
+  const Facing facing = task.faces_ahead && depends_on_heading(task) ? Facing::ahead : Facing::anywhere;
+  const PlanarMotion motion{task.area.risk_field(), task.area.clearance_map(), task.objective.options().weight, radius, facing};
+  const auto planar = planar_path(task, motion, until);
   if (!planar) return nullptr;
   const auto poses = with_headings(*planar, task, radius);
   if (!poses) return nullptr;
@@ -79,7 +103,7 @@ PathPtr best_path_of_disks(const Task& task, const ob::ProblemDefinitionPtr& pro
   PathPtr best;
   for (const double radius : radii(task.area)) {
     if (until) break;
-    const PathPtr path = path_for_disk(task, radius, si);
+    const PathPtr path = path_for_disk(task, radius, si, until);
     if (path && (!best || path->cost(objective).value() < best->cost(objective).value())) best = path;
   }
   return best;
@@ -125,8 +149,12 @@ ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& unt
   if (goal == nullptr) return ob::PlannerStatus::INVALID_GOAL;
   const auto* region = dynamic_cast<const PoseGoal*>(pdef_->getGoal().get());
   const AlignabilityObjective& objective = *objective_of(pdef_);
-  const Task task{checker_of(si_)->area(), objective, objective.pose_of(start), objective.pose_of(goal),
-                  region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance()};
+  const Task task{checker_of(si_)->area(),
+                  objective,
+                  objective.pose_of(start),
+                  objective.pose_of(goal),
+                  region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance(),
+                  !has_heading(*si_->getStateSpace())};
   if (objective.steering() == nullptr) {
     path_ = best_path_of_disks(task, pdef_, until);
   } else {

@@ -9,7 +9,9 @@
 namespace alignability {
 
 /// Plans by the optimal cost-to-go over the plane: marches it from the goal, follows it down from the start, refines the path off the
-/// lattice by the exact cost, and returns; no sampling, no seed, the same path every time. Headings: a disk turns evenly; a footprint is
+/// lattice by the exact cost, and returns; no sampling, no seed, the same path every time. Headings: a disk turns evenly, or,
+/// where risk depends on heading, along the path that is best facing anywhere as is cheapest, and in R², facing ahead, takes the path that
+/// is found by what each motion costs in its direction; a footprint is
 /// taken along the plane's best paths for disks from the inscribed to the circumscribed one, with headings found by search, of which the
 /// cheapest counts. A car's path is searched for over poses (see search_car_path) and refined. Where no path comes of it (a footprint that
 /// must turn where the plane knows nothing of it), BIT* goes on until the termination condition.

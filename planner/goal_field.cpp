@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/goal_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
+#include <queue>
 
 namespace alignability {
 namespace {
@@ -63,6 +66,103 @@ std::optional<GoalField::Step> GoalField::best_step(const Eigen::Vector2d& from,
     if ((!best || cost < best->cost) && lattice_->motion.is_allowed(from, at)) best = Step{cost, to_go, at};
   });
   return best;
+}
+
+namespace {
+
+// A* over a lattice and its passages by motions priced one by one.
+class DirectedSearch {
+ public:
+  DirectedSearch(const DrivableLattice& lattice, const std::vector<double>& to_go, const PlanarMotion& driven, const Eigen::Vector2d& goal)
+      : lattice_(lattice), to_go_(to_go), driven_(driven), goal_(goal), nodes_(to_go.size()) {}
+
+  std::optional<PlanarPath> run(const Eigen::Vector2d& start, const std::function<bool()>& stop) {
+    constexpr std::size_t kBetweenLooks = 1024;
+    best_ = straight(start);
+    visit_nodes_around(lattice_, start, [&](std::size_t node, const Eigen::Vector2d&) { reach(node, start, 0.0, kNone); });
+    for (std::size_t popped = 0; !front_.empty() && front_.top().first < best_; ++popped) {
+      const auto [estimate, node] = front_.top();
+      front_.pop();
+      if (popped % kBetweenLooks == 0 && stop()) return std::nullopt;
+      if (estimate > nodes_[node].cost + to_go_[node]) continue;
+      head_for_the_goal(node);
+      expand(node);
+    }
+    if (best_ == kInfinite) return std::nullopt;
+    PlanarPath path{goal_};
+    for (std::size_t node = last_; node != kNone; node = nodes_[node].before) path.push_back(place(node));
+    path.push_back(start);
+    return PlanarPath{path.rbegin(), path.rend()};
+  }
+
+ private:
+  struct Node {
+    double cost = kInfinite;
+    std::size_t before = kNone;
+  };
+  static constexpr double kInfinite = std::numeric_limits<double>::infinity();
+  static constexpr std::size_t kNone = std::numeric_limits<std::size_t>::max();
+
+  Eigen::Vector2d place(std::size_t node) const {
+    const std::size_t cells = lattice_.grid.size();
+    return node < cells ? lattice_.grid.corner(lattice_.grid.cell_of(node)) : lattice_.passages.places[node - cells];
+  }
+
+  double straight(const Eigen::Vector2d& start) const {
+    const bool is_near = (start - goal_).norm() <= kStride * lattice_.grid.resolution;
+    return is_near && driven_.is_allowed(start, goal_) ? driven_.cost(start, goal_) : kInfinite;
+  }
+
+  void reach(std::size_t node, const Eigen::Vector2d& from, double cost_before, std::size_t before) {
+    if (!std::isfinite(to_go_[node])) return;
+    const Eigen::Vector2d at = place(node);
+    const double cost = cost_before + driven_.cost(from, at);
+    if (cost >= nodes_[node].cost || cost + to_go_[node] >= best_ || !driven_.is_allowed(from, at)) return;
+    nodes_[node] = {cost, before};
+    front_.emplace(cost + to_go_[node], node);
+  }
+
+  void expand(std::size_t node) {
+    const GridGeometry& grid = lattice_.grid;
+    const Eigen::Vector2d from = place(node);
+    for (const MarchingLink& link : std::ranges::equal_range(lattice_.passages.links, node, {}, &MarchingLink::from)) {
+      reach(link.to, from, nodes_[node].cost, node);
+    }
+    if (node >= grid.size()) return;
+    const Cell at = grid.cell_of(node);
+    for (int y = -kReach; y <= kReach; ++y) {
+      for (int x = -kReach; x <= kReach; ++x) {
+        const Cell next{at.x + x, at.y + y};
+        // Other steps go over a node on their way.
+        if (std::gcd(x, y) == 1 && grid.contains(next)) reach(grid.index(next), from, nodes_[node].cost, node);
+      }
+    }
+  }
+
+  void head_for_the_goal(std::size_t node) {
+    const double cost = nodes_[node].cost + straight(place(node));
+    if (cost >= best_) return;
+    best_ = cost;
+    last_ = node;
+  }
+
+  static constexpr int kReach = 3;  // [cells] along either axis: 32 directions
+
+  const DrivableLattice& lattice_;
+  const std::vector<double>& to_go_;
+  const PlanarMotion& driven_;
+  Eigen::Vector2d goal_;
+  std::vector<Node> nodes_;
+  std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> front_;
+  double best_ = kInfinite;
+  std::size_t last_ = kNone;
+};
+
+}  // namespace
+
+std::optional<PlanarPath> GoalField::directed_path_from(const Eigen::Vector2d& start, const PlanarMotion& driven,
+                                                        const std::function<bool()>& stop) const {
+  return DirectedSearch(*lattice_, to_go_, driven, goal_).run(start, stop);
 }
 
 std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -31,6 +32,11 @@ class GoalField {
   /// The path down the field, from node to node of the lattice and of its narrow passages, each motion allowed; nullopt where none leads.
   /// The start must be allowed. O(length).
   std::optional<PlanarPath> path_from(const Eigen::Vector2d& start) const;
+
+  /// The path for motions that cost something else one way than the other: those of `driven`, at least what the lattice's cost. By A* from
+  /// node to node, guided by the field: near the cheapest on the lattice. nullopt likewise, and when told to stop.
+  std::optional<PlanarPath> directed_path_from(const Eigen::Vector2d& start, const PlanarMotion& driven,
+                                               const std::function<bool()>& stop) const;
 
  private:
   // Ordered by cost: of getting from a place straight to some node and on from there.

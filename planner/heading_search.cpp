@@ -17,26 +17,26 @@ double turn_needed(double from, const HeadingEnds& ends) {
   return std::copysign(std::max(0.0, std::abs(turn) - (1.0 - 1e-6) * ends.tolerance), turn);
 }
 
-// The way of least turning through places × headings. Node `end()` stands for the goal's heading at the last place.
+// The way of the least price through places × headings. Node `end()` stands for the goal's heading at the last place.
 class HeadingSearch {
  public:
-  HeadingSearch(PlanarPath places, const HeadingEnds& ends, const DrivableArea& area)
-      : places_(std::move(places)), ends_(ends), area_(area), nodes_(places_.size() * kHeadings + 1) {}
+  HeadingSearch(PlanarPath places, const HeadingEnds& ends, const DrivableArea& area, const HeadingPrice& price)
+      : places_(std::move(places)), ends_(ends), area_(area), price_(price), nodes_(places_.size() * kHeadings + 1) {}
 
   std::optional<std::vector<Pose2>> run() {
     improve(0, 0.0, 0);
     while (!front_.empty()) {
-      const auto [turned, node] = front_.top();
+      const auto [cost, node] = front_.top();
       front_.pop();
       if (node == end()) return poses_to_end();
-      if (turned <= nodes_[node].turned) expand(node);
+      if (cost <= nodes_[node].cost) expand(node);
     }
     return std::nullopt;
   }
 
  private:
   struct Node {
-    double turned = std::numeric_limits<double>::infinity();  // [rad]
+    double cost = std::numeric_limits<double>::infinity();
     std::size_t before = 0;
   };
 
@@ -47,9 +47,14 @@ class HeadingSearch {
     return {at.x(), at.y(), ends_.start + kStep * static_cast<double>(node % kHeadings)};
   }
 
-  void improve(std::size_t node, double turned, std::size_t before) {
-    nodes_[node] = {turned, before};
-    front_.emplace(turned, node);
+  double price(const Pose2& from, const Pose2& to, double turned) const {
+    const double of_risk = price_.of_risk == 0.0 ? 0.0 : price_.of_risk * area_.risk_field()->integral(from, to);
+    return price_.of_turning * turned + of_risk;
+  }
+
+  void improve(std::size_t node, double cost, std::size_t before) {
+    nodes_[node] = {cost, before};
+    front_.emplace(cost, node);
   }
 
   void expand(std::size_t node) {
@@ -65,16 +70,16 @@ class HeadingSearch {
   void turn(std::size_t node, std::size_t place, std::initializer_list<int> steps) {
     for (const int by : steps) {
       const std::size_t next = place * kHeadings + (node % kHeadings + static_cast<std::size_t>(kHeadings + by)) % kHeadings;
-      const double turned = nodes_[node].turned + std::abs(by) * kStep;
-      if (turned < nodes_[next].turned && area_.contains(pose(node), pose(next))) improve(next, turned, node);
+      const double cost = nodes_[node].cost + price(pose(node), pose(next), std::abs(by) * kStep);
+      if (cost < nodes_[next].cost && area_.contains(pose(node), pose(next))) improve(next, cost, node);
     }
   }
 
   void finish(std::size_t node) {
     const Pose2 at = pose(node);
     const double by = turn_needed(at.yaw, ends_);
-    const double turned = nodes_[node].turned + std::abs(by);
-    if (turned < nodes_[end()].turned && area_.contains(at, {at.x, at.y, at.yaw + by})) improve(end(), turned, node);
+    const double cost = nodes_[node].cost + price_.of_turning * std::abs(by);
+    if (cost < nodes_[end()].cost && area_.contains(at, {at.x, at.y, at.yaw + by})) improve(end(), cost, node);
   }
 
   std::vector<Pose2> poses_to_end() const {
@@ -92,6 +97,7 @@ class HeadingSearch {
   PlanarPath places_;
   HeadingEnds ends_;
   const DrivableArea& area_;
+  HeadingPrice price_;
   std::vector<Node> nodes_;
   std::priority_queue<std::pair<double, std::size_t>, std::vector<std::pair<double, std::size_t>>, std::greater<>> front_;
 };
@@ -112,8 +118,9 @@ std::vector<Pose2> turning_evenly(const PlanarPath& path, const HeadingEnds& end
   return poses;
 }
 
-std::optional<std::vector<Pose2>> turning_clear(const PlanarPath& path, const HeadingEnds& ends, const DrivableArea& area) {
-  return HeadingSearch(subdivided(path, kSpacing), ends, area).run();
+std::optional<std::vector<Pose2>> turning_clear(const PlanarPath& path, const HeadingEnds& ends, const DrivableArea& area,
+                                                const HeadingPrice& price) {
+  return HeadingSearch(subdivided(path, kSpacing), ends, area, price).run();
 }
 
 }  // namespace alignability

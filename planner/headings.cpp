@@ -12,6 +12,11 @@ double heading(const Pose2& from, const Pose2& to, double same) {
 
 }  // namespace
 
+std::pair<Pose2, Pose2> facing_ahead(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
+  const double yaw = std::atan2(to.y() - from.y(), to.x() - from.x());
+  return {{from.x(), from.y(), yaw}, {to.x(), to.y(), yaw}};
+}
+
 std::vector<Pose2> looking_ahead(std::vector<Pose2> path, double standing) {
   double ahead = standing;
   for (std::size_t i = 1; i < path.size(); ++i) ahead = heading(path[i - 1], path[i], ahead);

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <utility>
 #include <vector>
 
 #include "core/pose.hpp"
 
 namespace alignability {
+
+/// The straight motion from one place to another, facing where it goes. Two places must be two.
+std::pair<Pose2, Pose2> facing_ahead(const Eigen::Vector2d& from, const Eigen::Vector2d& to);
 
 /// The same places, each pose looking to the next place that is another; those at the end look as the last that has one ahead. A path
 /// that stays in one place looks to `standing` [rad].

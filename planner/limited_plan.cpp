@@ -9,6 +9,7 @@
 #include "planner/limited_path.hpp"
 #include "planner/planar_plan.hpp"
 #include "planner/planners.hpp"
+#include "planner/refused_planners.hpp"
 
 namespace alignability {
 namespace {
@@ -130,6 +131,17 @@ std::optional<std::string> refusal_of_limit(const PlanQuery& query, const std::o
   if (query.planner.name == kDefaultPlanner) return std::nullopt;
   return std::string(query.max_error ? "a limit of the error" : "a limit of blind metres") + " is kept by the planner '" + kDefaultPlanner +
          "' alone";
+}
+
+std::optional<std::string> refusal_by_headings(const PlanQuery& query, const RiskField& risk) {
+  if (!risk.has_headings() || is_curved(query.motion.space)) return std::nullopt;
+  if (query.max_error || query.max_blind_distance) {
+    const std::string limit = query.max_error ? "a limit of the error" : "a limit of blind metres";
+    return limit + " pays no heed to headings, by which this alignability map has layers, but in dubins and reeds_shepp";
+  }
+  const char* reason = reason_against(query.planner.name, MotionSpace::dubins);
+  if (query.motion.space != MotionSpace::r2 || reason == nullptr) return std::nullopt;
+  return "the planner '" + query.planner.name + "' is not offered in r2 where alignability depends on the direction of travel: " + reason;
 }
 
 PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area,

@@ -2,7 +2,6 @@
 #include "planner/path_figures.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -17,17 +16,22 @@ class FigureSum {
     const double length = (to.position() - from.position()).norm();
     figures_.length += length;
     figures_.turned += std::abs(normalized_angle(to.yaw - from.yaw));
-    add_risk([&](const BilinearField& risk) { return risk.integral(from.position(), to.position()); });
-    risk_.alpha_layer().visit(from.position(), to.position(),
-                              [&](double share, const Quadratic& alpha) { add_piece(share * length, alpha); });
+    add_risk([&](const RiskLayer& layer) { return layer.integral(from, to); });
+    const auto add = [&](double share, const auto& alpha) { add_piece(share * length, alpha); };
+    if (risk_.has_headings()) {
+      risk_.alpha_headings().visit(from, to, add);
+    } else {
+      risk_.alpha_layer().visit(from.position(), to.position(), add);
+    }
   }
 
   void add_arc(const Arc& arc) {
     figures_.length += arc.length();
     figures_.turned += std::abs(arc.turn());
     if (arc.travel < 0.0) figures_.backward_length += arc.length();
-    add_risk([&](const BilinearField& risk) { return risk.integral(arc); });
-    risk_.alpha_layer().visit(arc, [&](const BilinearAlongArc& alpha) { add_piece(alpha); });
+    add_risk([&](const RiskLayer& layer) { return layer.integral(arc); });
+    const auto add = [&](const auto& alpha) { add_piece(alpha); };
+    risk_.has_headings() ? risk_.alpha_headings().visit(arc, add) : risk_.alpha_layer().visit(arc, add);
   }
 
   PathFigures result() const {
@@ -43,10 +47,12 @@ class FigureSum {
  private:
   template <typename Integral>
   void add_risk(Integral integral) {
-    for (std::size_t i = 0; i < risk_.layers().size(); ++i) figures_.risk_by_source[i] += integral(risk_.layers()[i].risk);
+    for (std::size_t i = 0; i < risk_.layers().size(); ++i) figures_.risk_by_source[i] += integral(risk_.layers()[i]);
   }
 
-  void add_piece(double length, const Quadratic& alpha) {
+  // A Quadratic, or a Cubic where it depends on heading.
+  template <typename Polynomial>
+  void add_piece(double length, const Polynomial& alpha) {
     if (!alpha.is_number()) {
       add_stretch(length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
       return;
@@ -54,14 +60,17 @@ class FigureSum {
     figures_.evaluated_length += length;
     alpha_integral_ += length * alpha.mean();
     alpha_min_ = std::fmin(alpha_min_, alpha.least());
-    const auto [first, second] = alpha.crossings(risk_.options().alpha_critical);
-    const std::array cuts{0.0, first, second, 1.0};
-    for (std::size_t i = 0; i + 1 < cuts.size(); ++i) {
-      if (cuts[i + 1] > cuts[i]) add_stretch(length * (cuts[i + 1] - cuts[i]), risk_.is_blind(alpha.at(0.5 * (cuts[i] + cuts[i + 1]))));
-    }
+    double done = 0.0;
+    const auto add_until = [&](double cut) {
+      if (cut > done) add_stretch(length * (cut - done), risk_.is_blind(alpha.at(0.5 * (done + cut))));
+      done = cut;
+    };
+    for (const double cut : alpha.crossings(risk_.options().alpha_critical)) add_until(cut);
+    add_until(1.0);
   }
 
-  void add_piece(const BilinearAlongArc& alpha) {
+  template <typename AlongArc>
+  void add_piece(const AlongArc& alpha) {
     if (!alpha.is_number()) {
       add_stretch(alpha.length, risk_.is_blind(std::numeric_limits<double>::quiet_NaN()));
       return;

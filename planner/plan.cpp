@@ -53,12 +53,17 @@ void seed_ompl(std::uint32_t seed) {
   ompl::msg::useOutputHandler(handler);
 }
 
+// In R² facing anywhere.
+bool may_be_at(const Pose2& pose, const PlanQuery& query, const DrivableArea& area) {
+  return query.motion.space == MotionSpace::r2 ? area.contains_disk(pose.position()) : area.contains(pose);
+}
+
 // But for the floor of α.
 std::optional<PlanStatus> refusal_by_obstacles(const PlanQuery& query, const DrivableArea& area) {
   if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
   if (!area.geometry().cell_near(query.goal.position())) return PlanStatus::goal_outside_map;
-  if (!area.contains(query.start)) return PlanStatus::start_in_collision;
-  if (!area.contains(query.goal)) return PlanStatus::goal_in_collision;
+  if (!may_be_at(query.start, query, area)) return PlanStatus::start_in_collision;
+  if (!may_be_at(query.goal, query, area)) return PlanStatus::goal_in_collision;
   if (!area.may_connect(query.start, query.goal, query.goal_tolerance.position)) return PlanStatus::no_path;
   return std::nullopt;
 }
@@ -141,12 +146,14 @@ og::PathGeometric in_space(const ob::SpaceInformationPtr& si, og::PathGeometric&
   return own;
 }
 
-std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& query) {
+std::vector<Pose2> poses_of(const og::PathGeometric& path, const PlanQuery& query, const RiskField& risk) {
   const StateProjection projection = projection_of(path.getSpaceInformation()->getStateSpace());
   std::vector<Pose2> poses;
   for (std::size_t i = 0; i < path.getStateCount(); ++i) poses.push_back(projection(path.getState(static_cast<unsigned int>(i))));
   // A path in R² has no heading of its own: the robot looks where it goes.
-  return query.motion.space == MotionSpace::r2 ? looking_ahead(std::move(poses), query.start.yaw) : poses;
+  if (query.motion.space != MotionSpace::r2) return poses;
+  poses = looking_ahead(std::move(poses), query.start.yaw);
+  return risk.has_headings() ? turning_on_the_spot(poses) : poses;
 }
 
 std::vector<Curve> curves_of(const og::PathGeometric& path, const Steering& steering) {
@@ -161,7 +168,7 @@ void describe(PlanResult& result, og::PathGeometric& path, const ob::Optimizatio
               const DrivableArea& area) {
   const RiskField& risk = *area.risk_field();
   result.status = PlanStatus::solved;
-  result.path = poses_of(path, result.query);
+  result.path = poses_of(path, result.query, risk);
   result.cost = path.cost(objective).value();
   if (steering != nullptr) result.curves = curves_of(path, *steering);
   if (!result.curves.empty()) result.path = driven_poses(result.curves, area);
@@ -295,6 +302,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);
+  if (const auto unfit = refusal_by_headings(result.query, *fields.risk)) throw std::invalid_argument(*unfit);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
   if (const auto refused = refusal(query, area)) {
     result.status = *refused;

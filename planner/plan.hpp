@@ -36,7 +36,8 @@ struct PlanOptions {
 struct PlanResult {
   PlanStatus status = PlanStatus::timeout;
   PlanQuery query;  ///< as planned, the planner's name filled in, the risk's options those of the fields
-  /// From the start to within the goal's tolerance, straight between; empty unless solved. In curved spaces poses along the curves, nowhere
+  /// From the start to within the goal's tolerance, straight between; empty unless solved. In R² each looks to the next place, and where
+  /// risk depends on heading the robot turns on the spot, a pose before and one after. In curved spaces poses along the curves, nowhere
   /// further than kLargestSagitta from what is driven, and as dense as it takes for the straights between to be drivable too.
   std::vector<Pose2> path;
   std::vector<Curve> curves;          ///< in curved spaces what is driven, one from where the last ends; cost and figures are its
@@ -67,8 +68,8 @@ struct PlanningFields {
 /// one that keeps both, for the disk around the robot (see path_within) or for the car (see car_path); infeasible where it finds none, and
 /// where every way, start and goal included, leads over places below the floor of α. Seeds OMPL's generators, which the whole process
 /// shares: one plan at a time. With `iterations` and a single-threaded planner, the same problem gives the same path. An interrupted plan
-/// has no path. Throws std::invalid_argument for a query out of range, and a `max_error` without an error model or with another planner
-/// than `field`.
+/// has no path. Throws std::invalid_argument for a query out of range, a `max_error` without an error model or with another planner
+/// than `field`, and for what takes no notice of headings on a map that has them (see refusal_by_headings).
 PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options);
 PlanResult plan(const PlanProblem& problem, const PlanOptions& options);
 

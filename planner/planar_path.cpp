@@ -1,38 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/planar_path.hpp"
 
-#include <limits>
+#include "planner/headings.hpp"
+#include "planner/shortcuts.hpp"
 
 namespace alignability {
 namespace {
-
-constexpr double kInfinite = std::numeric_limits<double>::infinity();
-
-// The cheapest of the paths that leave out vertices, none further apart than the window.
-PlanarPath with_shortcuts(const PlanarPath& path, const PlanarMotion& motion) {
-  constexpr std::size_t kWindow = 32;
-  constexpr double kRounding = 1e-9;  // of the cost
-  std::vector<double> cost(path.size(), kInfinite);
-  std::vector<std::size_t> before(path.size(), 0);
-  cost[0] = 0.0;
-  for (std::size_t to = 1; to < path.size(); ++to) {
-    before[to] = to - 1;
-    cost[to] = cost[to - 1] + motion.cost(path[to - 1], path[to]);
-    // The longest first: as a rule it is the cheapest, and the shorter ones need no check then.
-    for (std::size_t from = to > kWindow ? to - kWindow : 0; from + 1 < to; ++from) {
-      const double reached = cost[from] + motion.cost(path[from], path[to]);
-      // A vertex that brings nothing but rounding is left out, and of shortcuts that are as good one is enough.
-      const double worth = before[to] + 1 == to ? 1.0 + kRounding : 1.0 - kRounding;
-      if (reached > worth * cost[to] || !motion.is_allowed(path[from], path[to])) continue;
-      cost[to] = reached;
-      before[to] = from;
-    }
-  }
-  PlanarPath shorter;
-  for (std::size_t at = path.size() - 1; at > 0; at = before[at]) shorter.push_back(path[at]);
-  shorter.push_back(path.front());
-  return {shorter.rbegin(), shorter.rend()};
-}
 
 using PathTest = std::function<bool(const PlanarPath&)>;
 
@@ -62,12 +35,22 @@ bool is_allowed(const PlanarPath& path, const PlanarMotion& motion) {
 
 }  // namespace
 
+bool PlanarMotion::is_faced(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
+  return facing == Facing::ahead && risk->has_headings() && from != to;
+}
+
 double PlanarMotion::cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-  return (to - from).norm() + weight * risk->integral({from.x(), from.y(), 0.0}, {to.x(), to.y(), 0.0});
+  const double length = (to - from).norm();
+  if (!is_faced(from, to)) return length + weight * risk->least_integral(from, to);
+  const auto [begin, end] = facing_ahead(from, to);
+  return length + weight * risk->integral(begin, end);
 }
 
 bool PlanarMotion::is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const {
-  return clearance->is_clear(from, to, radius) && risk->is_drivable(from, to);
+  if (!clearance->is_clear(from, to, radius)) return false;
+  if (!is_faced(from, to)) return risk->is_drivable(from, to);
+  const auto [begin, end] = facing_ahead(from, to);
+  return risk->is_drivable_along(begin, end);
 }
 
 PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {

@@ -10,15 +10,25 @@
 
 namespace alignability {
 
+/// Where a disk faces that is moved in the plane: of importance where risk depends on it.
+enum class Facing {
+  anywhere,  ///< as is best, place by place: what any headings cost at least
+  ahead,     ///< where it goes
+};
+
 /// What straight motions of a disk cost and where they are allowed, both exactly. Safe to use from many threads.
 struct PlanarMotion {
   std::shared_ptr<const RiskField> risk;
   std::shared_ptr<const ClearanceMap> clearance;
   double weight = 0.0;  ///< of the risk, >= 0
   double radius = 0.0;  ///< of the disk [m]
+  Facing facing = Facing::anywhere;
 
   double cost(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
   bool is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
+
+ private:
+  bool is_faced(const Eigen::Vector2d& from, const Eigen::Vector2d& to) const;
 };
 
 using PlanarPath = std::vector<Eigen::Vector2d>;

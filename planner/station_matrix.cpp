@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/station_matrix.hpp"
 
-
 #include "planner/drivable_area.hpp"
 #include "planner/goal_field.hpp"
 #include "planner/planar_plan.hpp"
@@ -55,15 +54,16 @@ class Matrix {
  private:
   // Whether what a field tells of the plane is all there is to tell.
   bool has_fields() const {
-    return query_.robot.footprint.empty() && !is_curved(query_.motion.space) && !query_.max_error && !query_.max_blind_distance;
+    return query_.robot.footprint.empty() && !is_curved(query_.motion.space) && !query_.max_error && !query_.max_blind_distance &&
+           !fields_.risk->has_headings();
   }
   Eigen::Vector2d place(std::size_t station) const { return stations_[station].pose.position(); }
   bool is_allowed(std::size_t station) const { return motion_.is_allowed(place(station), place(station)); }
   PlanResult along(const PlanarPath& path, std::size_t from, std::size_t to) const {
     return solved_along(path, between(stations_[from], stations_[to], query_), *fields_.risk);
   }
-  // Of a footprint, which may pass where its disk does not, of a car, and within limits; and where no way is in the field, as a plan tells
-  // why.
+  // Of a footprint, which may pass where its disk does not, of a car, within limits, and where risk depends on heading; and where no way is
+  // in the field, as a plan tells why.
   PlanResult searched(std::size_t from, std::size_t to) const {
     PlanResult found = plan(between(stations_[from], stations_[to], query_), fields_, {.stop = stop_});
     if (found.status == PlanStatus::interrupted) throw Interrupted();

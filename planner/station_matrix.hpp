@@ -17,9 +17,9 @@ struct StationMatrixOptions {
 
 /// A plan from each station to each other, [from][to], to within a micrometre; on the diagonal one that stands. They are what the planner
 /// `field` makes. Of a disk, which turns evenly, the way back is the way there: one field a station, O(stations · cells), and what refining
-/// stations² / 2 paths takes; no lower bounds are sought. A footprint, a car and what has limits that depend on the way are planned for pair
-/// by pair, and so is a disk where its field has no way, to tell why. What the query says of start, goal, its tolerance and the planner's
-/// name is left out of account. Throws Interrupted, and as plan does.
+/// stations² / 2 paths takes; no lower bounds are sought. A footprint, a car, what has limits that depend on the way and what has risk by
+/// heading are planned for pair by pair, and so is a disk where its field has no way, to tell why. What the query says of start, goal, its
+/// tolerance and the planner's name is left out of account. Throws Interrupted, and as plan does.
 std::vector<std::vector<PlanResult>> plan_between(std::span<const Station> stations, const PlanQuery& query, const PlanningFields& fields,
                                                   const StationMatrixOptions& options);
 
