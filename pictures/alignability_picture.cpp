@@ -26,8 +26,7 @@ void draw_alignability_map(const AlignabilityMap& map, const OccupancyMap& occup
   draw_scale_bar(context, layout.view);
   draw_map_legend(context, layout.legend, alignability_legend(options.risk, Tone::full));
   if (!headings.empty()) {
-    const std::string caption =
-        "Here α at the worst of " + std::to_string(headings.size()) + " headings, below at each: as the robot faces";
+    const std::string caption = "At the worst of " + std::to_string(headings.size()) + " headings; below, facing as the arrows point";
     draw_text(context, caption, key_line(layout, options.title, 0), {.anchor = {0.0, 0.5}});
     draw_heading_strip(context, layout.view, headings, occupancy);
   }

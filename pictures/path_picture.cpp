@@ -80,7 +80,7 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
   draw_title(context, layout, options.title);
   if (!paths.empty()) draw_key(context, layout, keyed, options);
   MapLegend legend = options.risk_map ? risk_legend(*options.risk_map) : alignability_legend(options.risk, Tone::pale);
-  if (!heading_layers(map).empty()) legend.name += ", best heading";
+  if (!heading_layers(map).empty()) legend.name = options.risk_map ? "risk, best heading" : "α, best heading";
   draw_map(context, layout.view, options.risk_map ? *options.risk_map : best_over_headings(map), legend.colour_of, occupancy, Tone::pale);
   draw_path_layer(context, layout.view, paths, options);
   draw_axes(context, layout.view, kMapAxes);

@@ -7,6 +7,7 @@
 #include "pictures/map_layout.hpp"
 #include "tests/core/temporary_folder.hpp"
 #include "tests/core/thrown_message.hpp"
+#include "tests/costmap/heading_maps.hpp"
 #include "tests/pictures/read_png.hpp"
 #include "tests/pictures/small_site.hpp"
 
@@ -45,6 +46,12 @@ TEST_F(PathPicture, APathIsDrawnInItsColourWhereItLies) {
   const Picture picture = drawn(paths);
   for (const double x : {0.7, 3.0, 9.3}) EXPECT_LE(difference(picture.at(pixel(x, 4.0)), kRiskAwareColour), kRounding);
   EXPECT_LE(difference(picture.at(pixel(3.0, 5.0)), detail::alignability_colour(0.5, detail::Tone::pale)), kRounding);
+}
+
+TEST_F(PathPicture, OfAMapByHeadingLiesOnTheBestOfThem) {
+  map_ = heading_map(map_.geometry, 4, [](const Eigen::Vector2d&, double yaw) { return static_cast<float>(0.1 * yaw); });
+  const Picture picture = drawn({});
+  EXPECT_LE(difference(picture.at(pixel(3.0, 5.0)), detail::alignability_colour(map_.layers[4].values[0], detail::Tone::pale)), kRounding);
 }
 
 TEST_F(PathPicture, BlindStretchesAndOnlyTheyHaveAHalo) {
