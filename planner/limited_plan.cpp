@@ -137,7 +137,7 @@ std::optional<std::string> refusal_by_headings(const PlanQuery& query, const Ris
   if (!risk.has_headings() || is_curved(query.motion.space)) return std::nullopt;
   if (query.max_error || query.max_blind_distance) {
     const std::string limit = query.max_error ? "a limit of the error" : "a limit of blind metres";
-    return limit + " pays no heed to headings, by which this alignability map has layers, but in dubins and reeds_shepp";
+    return limit + " is kept by heading in dubins and reeds_shepp alone, and this alignability map has layers by heading";
   }
   const char* reason = reason_against(query.planner.name, MotionSpace::dubins);
   if (query.motion.space != MotionSpace::r2 || reason == nullptr) return std::nullopt;

@@ -295,8 +295,8 @@ TEST(FloorByHeading, IsKeptFacingWhereItMay) {
 TEST(LimitsByHeading, AreRefusedWhereTheyAreKeptByPlaceAlone) {
   PlanProblem problem = hall(looking_east, nowhere);
   problem.query.max_blind_distance = 3.0;
-  EXPECT_THAT([&] { plan(problem, {}); },
-              testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr("a limit of blind metres pays no heed to headings")));
+  EXPECT_THAT([&] { plan(problem, {}); }, testing::ThrowsMessage<std::invalid_argument>(testing::HasSubstr(
+                                              "a limit of blind metres is kept by heading in dubins and reeds_shepp alone")));
   problem = hall(looking_east, nowhere);
   problem.query.motion.space = MotionSpace::r2;
   problem.query.planner.name = "prmstar";
