@@ -12,7 +12,6 @@
 #include "alignability/cell_summary.hpp"
 #include "core/range.hpp"
 #include "lidar/in_parallel.hpp"
-#include "lidar/scan_file.hpp"
 #include "lidar/simulate_scan.hpp"
 
 namespace alignability {
@@ -29,9 +28,9 @@ std::string to_yaml(const LogMapOptions& options) {
   return range + to_yaml(options.alignability);
 }
 
-// Scores what `scan_of(i)` gives for each place in the log.
-template <typename ScanOf>
-std::vector<ScoredPlace> scored(std::span<const PosedScan> scans, const LogMapOptions& options, ScanOf scan_of) {
+// Scores what `seen_at(i)` gives for each place in the log.
+template <typename SeenAt>
+std::vector<ScoredPlace> scored(std::span<const PosedScan> scans, const LogMapOptions& options, SeenAt seen_at) {
   Scorer{options.alignability};  // throws for options that no scan could be scored with
   if (options.range_max && !kPositive.contains(*options.range_max)) throw std::invalid_argument("range_max must be greater than 0");
   std::vector<ScoredPlace> places(scans.size());
@@ -45,7 +44,7 @@ std::vector<ScoredPlace> scored(std::span<const PosedScan> scans, const LogMapOp
   tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
   in_parallel(scans.size(), options.threads, [&](std::size_t i) {
     if (options.stop.stop_requested()) throw Interrupted();
-    places[i] = score_of(scan_of(i), scans[i], options, scorers.local());
+    places[i] = score_of(seen_at(i), scans[i], options, scorers.local());
     tell_of_one_more();
   });
   return places;
@@ -55,7 +54,7 @@ std::vector<ScoredPlace> scored(std::span<const PosedScan> scans, const LogMapOp
 
 std::vector<ScoredPlace> score_log(std::span<const PosedScan> scans, const LogMapOptions& options) {
   return scored(scans, options, [&](std::size_t i) {
-    Scan scan = read_scan_file(scans[i].file);
+    Scan scan = scan_of(scans[i]);
     return options.range_max ? cropped(std::move(scan), *options.range_max) : scan;
   });
 }

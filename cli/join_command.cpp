@@ -56,8 +56,8 @@ int run(Options options) {
 void add_join(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("join", "Join the scans of a log by their poses into one point cloud in map");
-  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin")->required();
-  add_log_options(*command, options->log).front()->required();
+  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")->required();
+  add_log_options(*command, options->log);
   command->add_option("--sensor", options->sensor, "Sensor file: least range and mount");
   command->add_option("--range-min", options->range_min, "Drop nearer returns: the robot's own, and fillers (without --sensor 0.5) [m]")
       ->check(CLI::NonNegativeNumber);

@@ -5,6 +5,8 @@
 #include <map>
 #include <stdexcept>
 
+#include "lidar/carmen_log.hpp"
+
 namespace alignability::cli {
 namespace {
 
@@ -20,28 +22,31 @@ CLI::IsMember names_of(const std::map<std::string, Value>& values) {
 
 }  // namespace
 
-std::vector<CLI::Option*> add_log_options(CLI::App& command, LogOptions& options) {
-  CLI::Option* trajectory =
-      command.add_option("--trajectory", options.trajectory, "Poses of the scans, TUM or KITTI, one a line; # before comments");
-  CLI::Option* pair_by = command
-                             .add_option_function<std::string>(
-                                 "--pair-by", [&options](const std::string& name) { options.reading.pairing = kPairings.at(name); },
-                                 "Pose of a scan: by the stamp or number in its name, or by order (default: stamp for TUM, number where a "
-                                 "number stands before the stamp, order for KITTI)")
-                             ->check(names_of(kPairings));
-  CLI::Option* poses_of = command
-                              .add_option_function<std::string>(
-                                  "--poses-of", [&options](const std::string& name) { options.reading.frame = kFrames.at(name); },
-                                  "Whose poses these are; base_link takes --sensor, for the mount")
-                              ->check(names_of(kFrames))
-                              ->default_str("lidar");
-  CLI::Option* max_gap = command.add_option("--max-gap", options.reading.max_gap, "By stamp: a pose must be so near to a scan [s]")
-                             ->check(CLI::NonNegativeNumber)
-                             ->capture_default_str();
-  return {trajectory, pair_by, poses_of, max_gap};
+void add_log_options(CLI::App& command, LogOptions& options) {
+  command.add_option("--trajectory", options.trajectory, "Poses of the scans, TUM or KITTI, one a line; # before comments");
+  command
+      .add_option_function<std::string>(
+          "--pair-by", [&options](const std::string& name) { options.reading.pairing = kPairings.at(name); },
+          "Pose of a scan: by the stamp or number in its name, or by order (default: stamp for TUM, number where a "
+          "number stands before the stamp, order for KITTI)")
+      ->check(names_of(kPairings));
+  command
+      .add_option_function<std::string>(
+          "--poses-of", [&options](const std::string& name) { options.reading.frame = kFrames.at(name); },
+          "Whose poses these are; base_link takes --sensor, for the mount")
+      ->check(names_of(kFrames))
+      ->default_str("lidar");
+  command.add_option("--max-gap", options.reading.max_gap, "By stamp: a pose must be so near to a scan [s]")
+      ->check(CLI::NonNegativeNumber)
+      ->capture_default_str();
 }
 
 ScanLog read_log(const LogOptions& options, const std::optional<LidarModel>& lidar) {
+  if (is_carmen_log(options.folder)) {
+    if (!options.trajectory.empty()) throw std::invalid_argument("--trajectory: a CARMEN log has the poses of its scans");
+    return {.pairing = Pairing::none, .scans = read_carmen_log(options.folder), .without_a_pose = {}};
+  }
+  if (options.trajectory.empty()) throw std::invalid_argument("--trajectory is required for a folder of scans");
   ScanLogOptions reading = options.reading;
   if (reading.frame == TrajectoryFrame::base_link && !lidar) {
     throw std::invalid_argument("--poses-of base_link takes --sensor: its mount says where the lidar is");

@@ -8,6 +8,7 @@
 #include "cli/map_builds.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
+#include "lidar/carmen_log.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -57,7 +58,9 @@ void refuse_strangers(const CLI::App& command, const CLI::Option& scene, const C
     refuse_beside(command, merge, [](const std::string& name) { return !kOfMerging.contains(name); });
   } else if (log.count() > 0) {
     refuse_beside(command, log, [](const std::string& name) { return name == "--scene" || kOfScenesAlone.contains(name); });
-    if (command.get_option("--trajectory")->count() == 0) throw CLI::RequiresError("--log", "--trajectory");
+    const bool has_poses = is_carmen_log(log.as<std::filesystem::path>());
+    if (!has_poses && command.get_option("--trajectory")->count() == 0) throw CLI::RequiresError("--log", "--trajectory");
+    if (has_poses) refuse_beside(command, log, [](const std::string& name) { return kOfLogsAlone.contains(name); });
   } else {
     if (scene.count() == 0) throw CLI::RequiredError("One of --scene, --log and --merge");
     refuse_beside(command, scene, [](const std::string& name) { return kOfLogsAlone.contains(name); });
@@ -79,7 +82,8 @@ void add_map(CLI::App& app, Work& work) {
   CLI::App* command = app.add_subcommand("map", "Build the alignability map of a site, from a scene or from recorded scans");
   const CLI::Option* scene =
       command->add_option("--scene", options->scene, "SDF world or model, mesh, or point cloud, to simulate scans in");
-  const CLI::Option* log = command->add_option("--log", options->log.folder, "Or a folder of recorded scans: .pcd, .ply, .bin");
+  const CLI::Option* log =
+      command->add_option("--log", options->log.folder, "Or a folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf");
   add_log_options(*command, options->log);
   const CLI::Option* merge =
       command->add_option("--merge", options->merge, "Or two maps, to be one: a log's values win, else the first's")->expected(2);
@@ -99,6 +103,7 @@ void add_map(CLI::App& app, Work& work) {
       "  alignability map --scene changed.sdf --occupancy changed.yaml --sensor maps/sensors/hdl32e.yaml --range-max 6.5 --samples 1 \\\n"
       "    --polygon 20,10 40,10 40,30 20,30 --update warehouse.yaml -o warehouse\n"
       "  alignability map --log scans --trajectory poses.txt --occupancy site.yaml -o logged\n"
+      "  alignability map --log csail.log -o csail\n"
       "  alignability map --merge logged.yaml simulated.yaml --occupancy site.yaml -o merged\n"
       "A change is seen as far away as the sensor sees: let the polygon reach so far around it.");
   command->callback([options, command, scene, log, merge, &work] {

@@ -26,7 +26,8 @@ std::string folder_name(const std::filesystem::path& folder) {
 
 // A log's name comes first: `is_logged` looks for it there.
 std::string provenance(const MapCommandOptions& options, const ScanLog& log) {
-  std::string text = "log: " + folder_name(options.log.folder) + "\ntrajectory: " + options.log.trajectory.filename().string();
+  std::string text = "log: " + folder_name(options.log.folder);
+  if (!options.log.trajectory.empty()) text += "\ntrajectory: " + options.log.trajectory.filename().string();
   text += "\nposes_of: ";
   text += options.log.reading.frame == TrajectoryFrame::lidar ? "lidar" : "base_link";
   text += "\npaired_by: ";

@@ -132,8 +132,8 @@ void add_validate_log(CLI::App& validate, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = validate.add_subcommand(
       "log", "Hold the alignability of recorded scans against that of scans simulated in a site from the same poses");
-  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin")->required();
-  add_log_options(*command, options->log).front()->required();
+  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")->required();
+  add_log_options(*command, options->log);
   command->add_option("--scene", options->scene, kSiteHelp)->required();
   command->add_option("--sensor", options->sensor, "Sensor file")->required();
   command->add_option("--range-max", options->scoring.range_max, "Crop both to this range [m]")->check(CLI::PositiveNumber);

@@ -7,7 +7,6 @@
 #include "core/input_error.hpp"
 #include "core/range.hpp"
 #include "lidar/point_table.hpp"
-#include "lidar/scan_file.hpp"
 #include "lidar/thinning.hpp"
 
 namespace alignability {
@@ -29,8 +28,9 @@ std::vector<Eigen::Vector3f> points_in_map(const PosedScan& scan, const JoinOpti
   const auto square = [](double range) { return static_cast<float>(range * range); };
   const float nearest = square(options.range_min);
   const float farthest = options.range_max ? square(*options.range_max) : std::numeric_limits<float>::infinity();
+  const Scan seen = scan_of(scan);
   std::vector<Eigen::Vector3f> points;
-  for (const Eigen::Vector3f& point : read_scan_file(scan.file).points) {
+  for (const Eigen::Vector3f& point : seen.points) {
     const float distance = point.squaredNorm();
     if (distance >= nearest && distance <= farthest) points.push_back((scan.T_map_lidar * point.cast<double>()).cast<float>());
   }

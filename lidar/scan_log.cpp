@@ -13,6 +13,7 @@
 
 #include "core/input_error.hpp"
 #include "core/range.hpp"
+#include "lidar/scan_file.hpp"
 
 namespace alignability {
 namespace {
@@ -146,7 +147,7 @@ class Pairer {
                                              " scans in " + folder() + "; paired by order, there must be as many");
     }
     ScanLog log{.pairing = Pairing::order, .scans = {}, .without_a_pose = {}};
-    for (std::size_t i = 0; i < files_.size(); ++i) log.scans.push_back({files_[i], poses[i].stamp, poses[i].pose});
+    for (std::size_t i = 0; i < files_.size(); ++i) log.scans.push_back({files_[i], poses[i].stamp, poses[i].pose, {}});
     return log;
   }
 
@@ -161,7 +162,7 @@ class Pairer {
       if (found == trajectory_.poses.end() || found->number != numbers[i]) {
         log.without_a_pose.push_back(files_[i]);
       } else {
-        log.scans.push_back({files_[i], found->stamp, found->pose});
+        log.scans.push_back({files_[i], found->stamp, found->pose, {}});
       }
     }
     if (log.scans.empty()) {
@@ -177,7 +178,7 @@ class Pairer {
     ScanLog log{.pairing = Pairing::stamp, .scans = {}, .without_a_pose = {}};
     for (std::size_t i = 0; i < files_.size(); ++i) {
       if (const auto pose = pose_at(trajectory_.poses, stamps[i], max_gap)) {
-        log.scans.push_back({files_[i], stamps[i], *pose});
+        log.scans.push_back({files_[i], stamps[i], *pose, {}});
       } else {
         log.without_a_pose.push_back(files_[i]);
       }
@@ -227,6 +228,7 @@ ScanLog paired(const Pairer& pairer, Pairing pairing, double max_gap) {
     case Pairing::number:
       return pairer.by_number();
     case Pairing::order:
+    case Pairing::none:
       break;
   }
   return pairer.by_order();
@@ -249,11 +251,15 @@ std::string_view to_string(Pairing pairing) {
       return "stamp";
     case Pairing::number:
       return "number";
+    case Pairing::none:
+      return "none";
     case Pairing::order:
       break;
   }
   return "order";
 }
+
+Scan scan_of(const PosedScan& posed) { return posed.scan ? *posed.scan : read_scan_file(posed.file); }
 
 Scan cropped(Scan scan, double range_max) {
   const auto squared = static_cast<float>(range_max * range_max);

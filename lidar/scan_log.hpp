@@ -17,6 +17,7 @@ enum class Pairing {
   stamp,   ///< the number in the scan's name is a time: between the poses before and after it, turning and moving evenly
   number,  ///< the number in the scan's name is that of the pose
   order,   ///< the first scan by name belongs to the first pose, and so on
+  none,    ///< the log itself has the poses of its scans
 };
 
 /// Whose poses a trajectory holds.
@@ -35,6 +36,7 @@ struct PosedScan {
   std::filesystem::path file;
   double stamp = 0.0;  ///< [s]; 0 where the trajectory has none
   Eigen::Isometry3d T_map_lidar = Eigen::Isometry3d::Identity();
+  std::optional<Scan> scan = {};  ///< of a log that holds its scans itself; without, `file` does
 };
 
 struct ScanLog {
@@ -50,7 +52,10 @@ struct ScanLog {
 /// have as many scans as the trajectory poses, where the trajectory has nothing to pair by, and where no scan has a pose.
 ScanLog read_scan_log(const std::filesystem::path& folder, const Trajectory& trajectory, const ScanLogOptions& options);
 
-/// "stamp", "number", "order".
+/// What the lidar saw, as the log has it. Throws InputError where the scan's file cannot be read.
+Scan scan_of(const PosedScan& posed);
+
+/// "stamp", "number", "order", "none".
 std::string_view to_string(Pairing pairing);
 
 /// The scan without its returns beyond a range [m]: those are NaN.

@@ -11,37 +11,24 @@
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "core/range.hpp"
+#include "lidar/words.hpp"
 
 namespace alignability {
 namespace {
 
+using detail::Word;
+using detail::words_of;
+
 constexpr std::uintmax_t kLargestFile = std::uintmax_t{1} << 30;
-constexpr std::string_view kBlanks = " \t\r\v\f";
 constexpr Range kPlaces{.min = -1e7, .max = 1e7};
 constexpr Range kStamps{.min = 0.0, .max = 1e15};
 // Files are written with four digits and more.
 constexpr double kRotationTolerance = 1e-3;
 
-struct Word {
-  std::string_view text;
-  int column = 1;
-};
-
 struct Line {
   std::vector<Word> words;
   int number = 0;
 };
-
-std::vector<Word> words_of(std::string_view line) {
-  std::vector<Word> words;
-  for (std::size_t begin = line.find_first_not_of(kBlanks); begin != std::string_view::npos;
-       begin = line.find_first_not_of(kBlanks, begin)) {
-    const std::size_t end = std::min(line.find_first_of(kBlanks, begin), line.size());
-    words.push_back({line.substr(begin, end - begin), static_cast<int>(begin) + 1});
-    begin = end;
-  }
-  return words;
-}
 
 class TrajectoryReader {
  public:
@@ -148,15 +135,11 @@ class TrajectoryReader {
   }
 
   double number(const Line& line, std::size_t at, const char* what, const Range& allowed) const {
-    std::string_view text = line.words[at].text;
-    if (text.starts_with('+')) text.remove_prefix(1);
-    double value = 0.0;
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    const bool is_number = error == std::errc{} && end == text.data() + text.size();
-    if (is_number && allowed.contains(value)) return value;
+    const auto value = detail::number_of(line.words[at].text);
+    if (value && allowed.contains(*value)) return *value;
     std::string message = what;
     message += " must be ";
-    message += is_number ? allowed.description() : "a number";
+    message += value ? allowed.description() : "a number";
     message += ", not '";
     message += line.words[at].text;
     fail(line, at, message += '\'');

@@ -2,6 +2,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <fstream>
 #include <nlohmann/json.hpp>
 
@@ -193,6 +194,33 @@ TEST_F(LogCli, HoldsALogAgainstTheSiteThatItWasTakenIn) {
   EXPECT_THAT(bytes("held.csv"), StartsWith("scan,x,y,z,recorded_alpha,simulated_alpha,"));
   EXPECT_THAT(with({}).out, StartsWith("4 scans: simulated alpha is off by 0.0"));
   EXPECT_EQ(with({"--level"}).exit_code, 2);
+}
+
+TEST_F(LogCli, MapsAndJoinsACarmenLogByItsOwnPoses) {
+  std::string ranges;
+  for (int beam = 0; beam <= 180; ++beam) {  // of a wall 2 m ahead, and nothing at the sides
+    const double along = std::cos((beam - 90) * std::acos(-1.0) / 180.0);
+    ranges += (along > 0.51 ? std::to_string(2.0 / along) : "81.91") + ' ';
+  }
+  folder.write("site.log", "PARAM robot_length 1\nFLASER 181 " + ranges + "1.5 1.5 0 0 0 0 7 host 7\nFLASER 181 " + ranges +
+                               "1.5 1.5 1.5708 0 0 0 8 host 8\n");
+  const test::Outcome mapped = run({"map", "--log", "site.log", "-o", "carmen", "--json"});
+  ASSERT_EQ(mapped.exit_code, 0) << mapped.err;
+  EXPECT_EQ(json::parse(mapped.out)["scans"], 2);
+  EXPECT_EQ(json::parse(mapped.out)["cells_evaluated"], 1);
+  EXPECT_LT(json::parse(mapped.out)["alpha"]["max"], 0.01) << "a lone wall holds one way alone";
+  EXPECT_THAT(bytes("carmen.csv"), HasSubstr("site.log:3,8.000000,1.5000,1.5000,"));
+  const test::Outcome joined = run({"join", "site.log", "-o", "cloud.pcd", "--json"});
+  ASSERT_EQ(joined.exit_code, 0) << joined.err;
+  EXPECT_EQ(json::parse(joined.out)["points"], 2 * 119);
+  folder.write("poses.txt", "1 0 0 0 0 0 0 1\n");
+  const test::Outcome twice = run({"map", "--log", "site.log", "--trajectory", "poses.txt", "-o", "carmen"});
+  EXPECT_EQ(twice.exit_code, 2);
+  EXPECT_THAT(twice.err, HasSubstr("--trajectory excludes --log"));
+  folder.write("site.log", "FLASER 181 1 2 3\n");
+  EXPECT_THAT(run({"map", "--log", "site.log", "-o", "carmen"}).err,
+              HasSubstr("site.log:1:8: the count of beams is 181, but only 3 values follow"));
+  EXPECT_THAT(run({"join", "scans", "-o", "cloud.pcd"}).err, HasSubstr("--trajectory is required for a folder of scans"));
 }
 
 }  // namespace
