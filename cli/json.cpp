@@ -6,6 +6,7 @@
 #include <iostream>
 
 #include "core/distribution.hpp"
+#include "costmap/heading_layers.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -163,7 +164,7 @@ Json map_json(const AlignabilityMap& map, double seconds, const std::vector<std:
   for (const std::filesystem::path& file : files) names.push_back(file.string());
   return {{"cells", map.geometry.size()},
           {"cells_evaluated", alphas.size()},
-          {"scans", static_cast<std::uint64_t>(scans)},
+          {"scans", static_cast<std::uint64_t>(scans) * std::max<std::uint64_t>(heading_layers(map).size(), 1)},
           {"alpha", {{"min", at(0.0)}, {"median", at(0.5)}, {"max", at(1.0)}}},
           {"seconds", seconds},
           {"files", names}};
