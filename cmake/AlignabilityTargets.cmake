@@ -32,7 +32,9 @@ function(alignability_add_library room)
   set_target_properties(${target} PROPERTIES EXPORT_NAME ${room} INSTALL_RPATH "$ORIGIN"
     VERSION ${PROJECT_VERSION} SOVERSION ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
   install(TARGETS ${target} EXPORT alignability-${room}
-    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alignability)
+    LIBRARY DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT runtime NAMELINK_COMPONENT dev
+    ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT dev
+    FILE_SET HEADERS DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/alignability COMPONENT dev)
   install(EXPORT alignability-${room} NAMESPACE alignability::
-    FILE alignability-${room}-targets.cmake DESTINATION ${alignability_package_folder})
+    FILE alignability-${room}-targets.cmake DESTINATION ${alignability_package_folder} COMPONENT dev)
 endfunction()

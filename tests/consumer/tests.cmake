@@ -17,6 +17,14 @@ add_test(NAME Consumer.EmbedsThePlannerWithoutPclAndEmbree
     -P ${CMAKE_CURRENT_LIST_DIR}/embed.cmake)
 set(consumer_tests Consumer.FindsTheComponentsAskedForAndWhatTheyNeed Consumer.EmbedsThePlannerWithoutPclAndEmbree)
 
+if(BUILD_SHARED_LIBS)
+  add_test(NAME Consumer.EmbedsThePlannerByPkgConfig
+    COMMAND ${CMAKE_COMMAND} -D LIBRARIES=${consumer}/prefix/${CMAKE_INSTALL_LIBDIR} -D COMPILER=${CMAKE_CXX_COMPILER}
+      -D SANITIZER_FLAG=${sanitizer_flag} -D SOURCES=${PROJECT_SOURCE_DIR} -D PROGRAM=${consumer}/by_pkg_config
+      -P ${CMAKE_CURRENT_LIST_DIR}/pkg_config.cmake)
+  list(APPEND consumer_tests Consumer.EmbedsThePlannerByPkgConfig)
+endif()
+
 # A header reads the same under a sanitizer.
 if(NOT ALIGNABILITY_SANITIZE)
   add_test(NAME Consumer.FindsAllThatTheHeadersInclude
