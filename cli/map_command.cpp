@@ -40,8 +40,8 @@ void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
   add_scoring_options(command, options.map.alignability);
 }
 
-const Names kOfScenesAlone{"--samples", "--headings",   "--floor",    "--seed", "--cells", "--polygon",
-                           "--update",  "--model-path", "--geometry", "--unit", "--up",    "--thin", "--level"};
+const Names kOfScenesAlone{"--samples",    "--headings", "--floor", "--seed", "--cells", "--polygon", "--update",
+                           "--model-path", "--geometry", "--unit",  "--up",   "--thin",  "--level"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
 const Names kOfMerging{"--merge", "--occupancy", "--json", "--output"};
 

@@ -123,8 +123,7 @@ TEST(ScanFile, RefusesBinFilesThatHoldNoPoints) {
             "f.bin: is 31 bytes long; x, y, z and intensity of a point take 16, so it is cut short or no Velodyne file");
   const std::string nowhere = ", counted from 0, lies where no lidar measures: these are no little-endian floats";
   EXPECT_EQ(fault(bytes_of({1.0f, 2.0f, 3.0f, 0.5f}, std::endian::big)), "f.bin: point 0" + nowhere);
-  EXPECT_EQ(fault(good + std::string("a text of sixty-four bytes, say, that is of a length to be points")).substr(0, 14),
-            "f.bin: is 97 b");
+  EXPECT_EQ(fault(good + std::string("a text of sixty-four bytes, say, that is of a length to be points")).substr(0, 14), "f.bin: is 97 b");
   EXPECT_EQ(fault(good + "sixteen letters!"), "f.bin: point 2" + nowhere);
   EXPECT_EQ(fault(bytes_of({1.0f, 2e7f, 3.0f, 0.5f})), "f.bin: point 0" + nowhere);
 }
