@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "cli/command.hpp"
-#include "cli/ompl_log.hpp"
+#include "cli/library_logs.hpp"
 #include "cli/strict_numbers.hpp"
 #include "core/input_error.hpp"
 #include "core/progress.hpp"
@@ -112,6 +112,6 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return report(app, error, {argv + 1, argv + argc});
   }
-  const OmplLog ompl_log;
+  const LibraryLogs library_logs;
   return run(work);
 }

@@ -31,7 +31,7 @@ set(alignability_pictures_beneath costmap)
 set(alignability_pictures_private AlignabilityCairomm)
 
 set(alignability_cli_beneath alignability planner localization pictures)
-set(alignability_cli_private CLI11 nlohmann_json)
+set(alignability_cli_private AlignabilityPcl CLI11 nlohmann_json)
 
 # alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.
 function(alignability_with_beneath variable)

@@ -258,6 +258,15 @@ TEST_F(Cli, ShowsWhereInAFileAFaultIs) {
   EXPECT_THAT(outcome.err, StartsWith("bad.yaml:6:8: unknown key 'wieght' (did you mean 'weight'?)"));
 }
 
+TEST_F(Cli, SaysInOneLineThatACloudHasNoFloor) {
+  std::string wall = "ply\nformat ascii 1.0\nelement vertex 400\nproperty float x\nproperty float y\nproperty float z\nend_header\n";
+  for (int i = 0; i < 400; ++i) wall += "0 " + std::to_string(0.3 * (i % 20)) + ' ' + std::to_string(0.3 * (i / 20)) + '\n';
+  folder.write("wall.ply", wall);
+  const test::Outcome outcome = run({"occupancy", "wall.ply", "--z-min", "0.1", "--z-max", "2", "-o", "o", "--level"});
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_EQ(outcome.err, "wall.ply: no plane among its points is near level, so there is no floor to level it by\n");
+}
+
 TEST_F(Cli, ExportsForOtherPrograms) {
   ASSERT_EQ(run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "occupancy"}).exit_code, 0);
   ASSERT_EQ(run(kMap).exit_code, 0);

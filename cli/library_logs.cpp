@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: BSD-3-Clause
-#include "cli/ompl_log.hpp"
+#include "cli/library_logs.hpp"
 
 #include <ompl/util/Console.h>
 
@@ -17,11 +17,15 @@ class ToStderr : public ompl::msg::OutputHandler {
 
 }  // namespace
 
-OmplLog::OmplLog() {
+LibraryLogs::LibraryLogs() : pcl_before_(pcl::console::getVerbosityLevel()) {
   static ToStderr handler;
   ompl::msg::useOutputHandler(&handler);
+  pcl::console::setVerbosityLevel(pcl::console::L_ALWAYS);
 }
 
-OmplLog::~OmplLog() { ompl::msg::restorePreviousOutputHandler(); }
+LibraryLogs::~LibraryLogs() {
+  pcl::console::setVerbosityLevel(pcl_before_);
+  ompl::msg::restorePreviousOutputHandler();
+}
 
 }  // namespace alignability::cli
