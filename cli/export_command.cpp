@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <iostream>
+#include <limits>
 
 #include "cli/command.hpp"
 #include "cli/drive_paths.hpp"
@@ -10,6 +11,7 @@
 #include "core/file.hpp"
 #include "core/range.hpp"
 #include "costmap/cost_mask.hpp"
+#include "costmap/heading_layers.hpp"
 #include "costmap/map_table.hpp"
 #include "planner/path_export.hpp"
 #include "planner/plan.hpp"
@@ -31,20 +33,36 @@ double most_risk(const RiskField& risk) {
   return std::max(most, 1.0);
 }
 
-// At the centres of the occupancy map's cells.
-Grid<double> shares(const RiskField& risk, const GridGeometry& cells) {
+// α at the worst heading alone: a mask knows of no headings.
+AlignabilityMap at_the_worst_heading(AlignabilityMap map) {
+  const std::size_t headings = heading_layers(map).size();
+  if (headings == 0) return map;
+  std::cerr << "the mask holds the worst of " << headings << " headings\n";
+  std::erase_if(map.layers, [&](const AlignabilityMap::Layer& layer) {
+    for (std::size_t k = 0; k < headings; ++k) {
+      if (layer.name == heading_layer_name(k)) return true;
+    }
+    return false;
+  });
+  return map;
+}
+
+// At the centres of the occupancy map's cells; NaN where the problem lets the robot not be.
+Grid<double> shares(const RiskField& risk, const OccupancyMap& occupancy) {
+  const GridGeometry& cells = occupancy.geometry();
   Grid<double> shares(cells, 0.0);
   const double most = most_risk(risk);
   for (std::size_t i = 0; i < cells.size(); ++i) {
     const Eigen::Vector2d at = cells.center(cells.cell_of(i));
-    shares[i] = std::clamp(risk.risk(at.x(), at.y(), 0.0) / most, 0.0, 1.0);
+    const bool is_barred = occupancy.is_free(i) && !risk.is_drivable(at);
+    shares[i] = is_barred ? std::numeric_limits<double>::quiet_NaN() : std::clamp(risk.risk(at.x(), at.y(), 0.0) / most, 0.0, 1.0);
   }
   return shares;
 }
 
 // What to paste into nav2's parameters. Smac 2D prices a cell at 1 + cost_travel_multiplier · cost / 252 of its length, which is then
 // what our objective does.
-std::string nav2_parameters(const std::filesystem::path& mask, double weight) {
+std::string nav2_parameters(const std::filesystem::path& mask, double weight, double most) {
   constexpr double kCostOfOne = 252.0;
   return "# Risk of losing localization as a costmap filter. Start a map_server for the mask and a costmap_filter_info_server beside it,\n"
          "# and bring both up with your lifecycle manager. The mask must stay in mode scale, its thresholds at 0 and 1, or its grades are "
@@ -78,29 +96,32 @@ std::string nav2_parameters(const std::filesystem::path& mask, double weight) {
          "    GridBased:\n"
          "      plugin: nav2_smac_planner::SmacPlanner2D     # nav2_smac_planner/SmacPlanner2D in ROS 2 Iron and before\n"
          "      cost_travel_multiplier: " +
-         fixed_text(weight * kCostOfOne / kMostCostOfMask, 3) + "                # a metre costs 1 + " + to_text(weight) + " x risk\n";
+         fixed_text(weight * most * kCostOfOne / kMostCostOfMask, 3) + "                # a metre costs 1 + " + to_text(weight) +
+         " x risk\n";
 }
 
 // Tells which files it has written.
 std::vector<std::filesystem::path> write_all(const Options& options, const PlanProblem& problem) {
   const std::filesystem::path name = output_name(options.output);
-  const PlanningFields fields(problem);
+  PlanProblem at_worst = problem;
+  at_worst.alignability = at_the_worst_heading(std::move(at_worst.alignability));
+  const PlanningFields fields(at_worst);
   std::vector<std::filesystem::path> files;
   const auto write = [&](const std::string& ending, const std::string& text) {
     files.push_back(with_ending(name, ending));
     write_file(files.back(), text);
   };
   const std::filesystem::path mask = with_ending(name, "_mask");
-  write_cost_mask(shares(*fields.risk, problem.occupancy.geometry()), mask);
+  write_cost_mask(shares(*fields.risk, problem.occupancy), mask);
   for (const char* ending : {"_mask.yaml", "_mask.pgm"}) files.push_back(with_ending(name, ending));
-  write("_nav2.yaml", nav2_parameters(with_ending(mask, ".yaml").filename(), problem.query.weight * most_risk(*fields.risk)));
-  write(".csv", to_csv(problem.alignability));
-  write_alignability_map(problem.alignability, name);
-  for (const char* ending : {".yaml", ".tiff"}) files.push_back(with_ending(name, ending));
-  write(".tfw", world_file(problem.alignability.geometry));
+  write("_nav2.yaml", nav2_parameters(with_ending(mask, ".yaml").filename(), problem.query.weight, most_risk(*fields.risk)));
+  write("_cells.csv", to_csv(problem.alignability));
+  write_alignability_map(problem.alignability, with_ending(name, "_map"));
+  for (const char* ending : {"_map.yaml", "_map.tiff"}) files.push_back(with_ending(name, ending));
+  write("_map.tfw", world_file(problem.alignability.geometry));
   for (const DrivenPath& path : read_paths(options.paths)) {
-    write("_" + path.name + ".yaml", to_nav_path(path.path));
-    write("_" + path.name + ".geojson", to_geojson(path.path, path.name));
+    write("_path_" + path.name + ".yaml", to_nav_path(path.path));
+    write("_path_" + path.name + ".geojson", to_geojson(path.path, path.name));
   }
   return files;
 }
@@ -131,8 +152,8 @@ void add_export(CLI::App& app, Work& work) {
   command
       ->add_option(
           "-o,--output", options->output,
-          "NAME: writes NAME_mask.yaml and .pgm, a filter mask for nav2, NAME_nav2.yaml, the parameters that go with it, NAME.csv, "
-          "the cells, NAME.yaml, .tiff and .tfw, the map with a world file, and of each path NAME_PATH.yaml (nav_msgs/Path) and "
+          "NAME: writes NAME_mask.yaml and .pgm, a filter mask for nav2, NAME_nav2.yaml, the parameters that go with it, NAME_cells.csv, "
+          "NAME_map.yaml, .tiff and .tfw, the map with a world file, and of each path NAME_path_PATH.yaml (nav_msgs/Path) and "
           ".geojson")
       ->required();
   command->footer(

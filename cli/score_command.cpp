@@ -89,7 +89,7 @@ int run(Options options) {
 void add_score(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
-  command->add_option("scans", options->scans, "PCD or PLY files")->required();
+  command->add_option("scans", options->scans, "PCD, PLY or .bin files")->required();
   command->add_option("--sensor", options->sensor,
                       "Sensor file: least range, noise, mounts, 2D or 3D (without: 0.5 m, 2 cm, upright, 2D where flat)");
   add_scoring_options(*command, options->alignability);

@@ -16,7 +16,7 @@ namespace alignability {
 /// α per cell and what else was found out on the way, each a layer of the same geometry; NaN = not evaluated.
 struct AlignabilityMap {
   struct Layer {
-    std::string name;  ///< alpha, samples, iqr, weak_x, …: DESIGN §4; headings: see heading_layers
+    std::string name;  ///< alpha, samples, iqr, weak_x, …: see build_alignability_map; headings: see heading_layers
     Grid<float> values;
   };
 

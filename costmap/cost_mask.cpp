@@ -13,6 +13,7 @@ namespace {
 
 // The shade of which nav2 makes that percentage.
 char shade_of(double share) {
+  if (std::isnan(share)) return 0;
   if (!(share >= 0.0 && share <= 1.0)) throw std::invalid_argument("the share of a mask must be from 0 to 1");
   const double percent = std::round(kMostOfMask * share);
   return static_cast<char>(static_cast<unsigned char>(std::round(255.0 * (1.0 - percent / 100.0))));

@@ -13,8 +13,9 @@ inline constexpr int kMostOfMask = 99;
 /// What nav2's costmap holds there.
 inline constexpr int kMostCostOfMask = 251;
 
-/// Writes NAME.yaml and NAME.pgm, a filter mask for map_server in mode scale: of each cell the share in [0,1] in steps of 1 / kMostOfMask.
-/// `name` has no extension. Throws InputError when a file cannot be written, std::invalid_argument for a share out of range or NaN.
+/// Writes NAME.yaml and NAME.pgm, a filter mask for map_server in mode scale: of each cell the share in [0,1] in steps of 1 / kMostOfMask,
+/// NaN where nothing may enter: lethal.
+/// `name` has no extension. Throws InputError when a file cannot be written, std::invalid_argument for a share out of range.
 void write_cost_mask(const Grid<double>& share, const std::filesystem::path& name);
 
 }  // namespace alignability

@@ -59,7 +59,7 @@ class HeadingField {
 
 template <typename Visitor>
 void HeadingField::visit_headings(double yaw, double turn, double begin, double end, Visitor&& visitor) const {
-  const double first = position(yaw);
+  const double first = position(normalized_angle(yaw));
   const double turned = position(turn);
   const auto at = [&](double share) { return first + share * turned; };
   // Met in the order of the turn, each computed from its index.

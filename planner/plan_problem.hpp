@@ -70,7 +70,7 @@ struct PlanProblem {
   PlanQuery query;
 };
 
-/// A problem file as DESIGN §5 has it, the files that it names not yet read. Their paths are resolved against its folder.
+/// A problem file as the README has it, the files that it names not yet read. Their paths are resolved against its folder.
 struct ProblemFile {
   std::filesystem::path map;
   std::vector<std::filesystem::path> alignability;  ///< at least one; several are scenarios of one site

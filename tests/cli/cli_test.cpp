@@ -279,7 +279,7 @@ TEST_F(Cli, ExportsForOtherPrograms) {
   const std::string nav2 = read_file(folder / "site_nav2.yaml", 1 << 20);
   EXPECT_THAT(nav2, HasSubstr("yaml_filename: site_mask.yaml"));
   EXPECT_THAT(nav2, HasSubstr("cost_travel_multiplier: 5.020 "));
-  EXPECT_EQ(read_alignability_map(folder / "site.yaml").alpha().geometry().width, 9);
+  EXPECT_EQ(read_alignability_map(folder / "site_map.yaml").alpha().geometry().width, 9);
 }
 
 TEST_F(Cli, EndsHelpWithTwoExamples) {

@@ -35,9 +35,15 @@ TEST(CostMask, KeepsEveryGradeAsMapServerReadsIt) {
   EXPECT_LT(kMostCostOfMask, 253) << "neither lethal nor inscribed";
 }
 
+TEST(CostMask, IsLethalWhereNothingMayEnter) {
+  const test::TemporaryFolder folder;
+  write_cost_mask(Grid<double>({.resolution = 1.0, .width = 1, .height = 1}, kNan), folder / "m");
+  EXPECT_EQ(cost_of(*read_occupancy_map(folder / "m.yaml").occupancy({0, 0})), 254);
+}
+
 TEST(CostMask, RefusesWhatIsNoShare) {
   const test::TemporaryFolder folder;
-  for (const double share : {-0.1, 1.1, kNan}) {
+  for (const double share : {-0.1, 1.1}) {
     EXPECT_THROW(write_cost_mask(Grid<double>({.resolution = 1.0, .width = 1, .height = 1}, share), folder / "m"), std::invalid_argument);
   }
 }

@@ -224,5 +224,16 @@ TEST(HeadingField, RefusesOneHeadingAndSeveralGrids) {
   EXPECT_THROW(HeadingField(std::vector{one, BilinearField(test::random_field(random, finer))}), std::invalid_argument);
 }
 
+// To 1e17 a heading more changes nothing.
+TEST(HeadingField, AYawOfManyTurnsIsTakenForWhereItPoints) {
+  std::mt19937_64 random(7);
+  const HeadingField field = random_field(random, 8);
+  for (const double yaw : {1e6, -1e9, 1e17}) {
+    const Pose2 from{-1.0, 2.0, yaw}, to{3.0, 5.0, yaw};
+    const Pose2 small_from{-1.0, 2.0, normalized_angle(yaw)}, small_to{3.0, 5.0, normalized_angle(yaw)};
+    EXPECT_NEAR(field.integral(from, to), field.integral(small_from, small_to), 1e-9);
+  }
+}
+
 }  // namespace
 }  // namespace alignability
