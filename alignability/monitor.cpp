@@ -3,7 +3,6 @@
 
 #include <cmath>
 #include <limits>
-#include <numbers>
 #include <stdexcept>
 
 #include "core/range.hpp"
@@ -20,10 +19,7 @@ Monitor::Monitor(const AlignabilityMap& map, const MonitorOptions& options) : op
 }
 
 double Monitor::expected_at(const Pose2& base) const {
-  const auto headings = static_cast<double>(alpha_.size());
-  const double turns = base.yaw / (2.0 * std::numbers::pi);
-  const double nearest = std::round((turns - std::floor(turns)) * headings);
-  const Grid<float>& alpha = alpha_[static_cast<std::size_t>(nearest) % alpha_.size()];
+  const Grid<float>& alpha = alpha_[nearest_heading(base.yaw, alpha_.size())];
   const std::optional<Cell> cell = alpha.geometry().cell_near(base.position());
   return cell ? alpha[*cell] : std::numeric_limits<double>::quiet_NaN();
 }

@@ -2,7 +2,6 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <numbers>
 #include <span>
 
 #include "alignability/build_map.hpp"
@@ -191,12 +190,6 @@ std::string eigenvalues_text(const Alignability& result) {
 std::string axis_text(const Eigen::Vector3d& axis) {
   const std::string text = direction_text(axis);
   return text == "up" ? text : "heading " + text;
-}
-
-// That of the n at yaws 2πk/n which is nearest.
-std::size_t nearest_heading(double yaw, std::size_t headings) {
-  const double share = normalized_angle(yaw) / (2.0 * std::numbers::pi);
-  return static_cast<std::size_t>(std::lround((share + 1.0) * static_cast<double>(headings))) % headings;
 }
 
 std::string heading_text(std::size_t heading, std::size_t headings) {

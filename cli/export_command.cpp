@@ -14,7 +14,6 @@
 #include "costmap/heading_layers.hpp"
 #include "costmap/map_table.hpp"
 #include "planner/path_export.hpp"
-#include "planner/plan.hpp"
 
 namespace alignability::cli {
 namespace {
@@ -103,18 +102,16 @@ std::string nav2_parameters(const std::filesystem::path& mask, double weight, do
 // Tells which files it has written.
 std::vector<std::filesystem::path> write_all(const Options& options, const PlanProblem& problem) {
   const std::filesystem::path name = output_name(options.output);
-  PlanProblem at_worst = problem;
-  at_worst.alignability = at_the_worst_heading(std::move(at_worst.alignability));
-  const PlanningFields fields(at_worst);
+  const RiskField risk(at_the_worst_heading(problem.alignability), problem.occupancy, problem.query.risk);
   std::vector<std::filesystem::path> files;
   const auto write = [&](const std::string& ending, const std::string& text) {
     files.push_back(with_ending(name, ending));
     write_file(files.back(), text);
   };
   const std::filesystem::path mask = with_ending(name, "_mask");
-  write_cost_mask(shares(*fields.risk, problem.occupancy), mask);
+  write_cost_mask(shares(risk, problem.occupancy), mask);
   for (const char* ending : {"_mask.yaml", "_mask.pgm"}) files.push_back(with_ending(name, ending));
-  write("_nav2.yaml", nav2_parameters(with_ending(mask, ".yaml").filename(), problem.query.weight, most_risk(*fields.risk)));
+  write("_nav2.yaml", nav2_parameters(with_ending(mask, ".yaml").filename(), problem.query.weight, most_risk(risk)));
   write("_cells.csv", to_csv(problem.alignability));
   write_alignability_map(problem.alignability, with_ending(name, "_map"));
   for (const char* ending : {"_map.yaml", "_map.tiff"}) files.push_back(with_ending(name, ending));

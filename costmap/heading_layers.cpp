@@ -3,7 +3,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
+
+#include "core/pose.hpp"
 
 namespace alignability {
 namespace {
@@ -28,6 +31,11 @@ std::optional<std::string> fault_of_heading_layers(std::span<const std::string> 
     return fault.append(std::to_string(count)).append(" headings the layer '").append(name).append("' is missing");
   }
   return std::nullopt;
+}
+
+std::size_t nearest_heading(double yaw, std::size_t headings) {
+  const double share = normalized_angle(yaw) / (2.0 * std::numbers::pi);
+  return static_cast<std::size_t>(std::lround((share + 1.0) * static_cast<double>(headings))) % headings;
 }
 
 std::vector<const Grid<float>*> heading_layers(const AlignabilityMap& map) {

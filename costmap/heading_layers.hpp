@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <span>
 #include <string>
@@ -12,6 +13,9 @@ namespace alignability {
 
 /// `alpha_heading_K`: of n such layers, that of the robot's yaw 2πK/n in `map`.
 std::string heading_layer_name(std::size_t heading);
+
+/// That of n headings at yaws 2πk/n which is nearest to a yaw [rad]; n >= 1.
+std::size_t nearest_heading(double yaw, std::size_t headings);
 
 /// What is wrong with the headings that layers' names tell of: one alone, or one that is missing between others; nullopt when nothing is,
 /// and where there are none.

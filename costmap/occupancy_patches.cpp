@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "costmap/occupancy_patches.hpp"
 
-#include <algorithm>
-#include <array>
 #include <limits>
-#include <ranges>
 #include <utility>
 #include <vector>
 

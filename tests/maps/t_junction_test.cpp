@@ -23,11 +23,6 @@ const std::filesystem::path kMaps = std::filesystem::path(ALIGNABILITY_SOURCE_DI
 const std::filesystem::path kSite = kMaps / "t_junction";
 constexpr std::uintmax_t kLargest = 1 << 20;
 
-std::size_t heading_towards(double yaw, std::size_t headings) {
-  const double step = 2.0 * std::numbers::pi / static_cast<double>(headings);
-  return static_cast<std::size_t>(std::lround(yaw / step)) % headings;
-}
-
 TEST(TJunction, WorldIsWhatItsGeneratorWrites) {
   const test::TemporaryFolder folder;
   const std::filesystem::path made = folder / "t_junction.sdf";
@@ -64,8 +59,8 @@ TEST(TJunction, InTheAisleFacingTheJunctionScoresAboveFacingThePlainHall) {
   const auto layers = heading_layers(map);
   for (const double x : {11.5, 12.5, 13.5}) {
     const Cell cell = *map.geometry.cell_near({x, 0.0});
-    const float junction = (*layers[heading_towards(0.0, layers.size())])[cell];
-    const float hall = (*layers[heading_towards(std::numbers::pi, layers.size())])[cell];
+    const float junction = (*layers[nearest_heading(0.0, layers.size())])[cell];
+    const float hall = (*layers[nearest_heading(std::numbers::pi, layers.size())])[cell];
     EXPECT_LT(hall, 0.05f) << x;
     EXPECT_GT(junction, 3.0f * hall) << x;
   }
