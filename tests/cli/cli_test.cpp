@@ -273,7 +273,8 @@ TEST_F(Cli, ExportsForOtherPrograms) {
   ASSERT_EQ(run({"plan", "problem.yaml", "-o", "way"}).exit_code, 0);
   const test::Outcome outcome = run({"export", "problem.yaml", "way.csv", "--weight", "5", "-o", "site", "--json"});
   ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
-  for (const json& file : json::parse(outcome.out)["files"]) EXPECT_TRUE(exists(file)) << file;
+  const json written = json::parse(outcome.out);
+  for (const json& file : written["files"]) EXPECT_TRUE(exists(file)) << file;
   const OccupancyMap mask = read_occupancy_map(folder / "site_mask.yaml");
   EXPECT_EQ(mask.geometry().width, read_occupancy_map(folder / "occupancy.yaml").geometry().width);
   const std::string nav2 = read_file(folder / "site_nav2.yaml", 1 << 20);
