@@ -16,6 +16,7 @@
 #include "cli/path_output.hpp"
 #include "cli/problem_options.hpp"
 #include "cli/progress_bar.hpp"
+#include "cli/report_output.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
 #include "planner/trade_off.hpp"
@@ -35,6 +36,8 @@ struct Options {
   DriveSiteOptions drive;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  std::optional<std::filesystem::path> html;
+  std::string command_line;  // for the page
 };
 
 void write_paths(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name) {
@@ -45,6 +48,16 @@ void write_paths(const PlanProblem& problem, const RiskField& risk, const Compar
   write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
   draw_paths(problem.alignability, problem.occupancy, paths,
              picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()), with_ending(name, ".png"));
+}
+
+void write_page(const Options& options, const PlanProblem& problem, const RiskField& risk, const Comparison& comparison,
+                std::span<const DrivenComparison> driven, std::span<const PlanResult> further) {
+  const Report report{.title = options.html->stem().string(),
+                      .summary = summary_of(comparison),
+                      .command = options.command_line,
+                      .paths = reported(comparison, driven, options.drives.value_or(0), further, risk),
+                      .options = reported_options(problem)};
+  write_file(*options.html, to_html(report, problem, risk));
 }
 
 // Where paths are to be driven.
@@ -94,6 +107,11 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
       draw_limits(problem, *fields.risk, comparison.shortest, limited, name);
     }
     write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
+  }
+  if (options.html && solved(comparison)) {
+    std::vector<PlanResult> further = options.weights.empty() ? std::vector<PlanResult>() : curve;
+    further.insert(further.end(), limited.begin(), limited.end());
+    write_page(options, problem, *fields.risk, comparison, driven, further);
   }
   if (options.json) print({summary});
   if (!solved(comparison)) {
@@ -151,8 +169,9 @@ int run(const Options& options) {
 
 }  // namespace
 
-void add_compare(CLI::App& app, Work& work) {
+void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
   const auto options = std::make_shared<Options>();
+  options->command_line = command_line;
   CLI::App* command = app.add_subcommand("compare", "Plan the shortest and the risk-aware path, and put them side by side");
   add_problem_options(*command, options->problem);
   CLI::Option* weights =
@@ -165,10 +184,13 @@ void add_compare(CLI::App& app, Work& work) {
                        "The shortest path with at most so many blind metres before the robot finds itself, for each: 12,8,4,0")
           ->delimiter(',')
           ->check(CLI::NonNegativeNumber);
+  CLI::Option* html =
+      command->add_option("--html", options->html, "Writes a page for the browser too: both maps, the paths, α and errors along them");
   command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(weights)
-      ->excludes(limits);
+      ->excludes(limits)
+      ->excludes(html);
   CLI::Option* drives =
       command
           ->add_option("--drive", options->drives,
@@ -184,7 +206,7 @@ void add_compare(CLI::App& app, Work& work) {
       "Examples:\n"
       "  alignability compare maps/warehouse/problem.yaml --weights 1,2,5,10 -o comparison\n"
       "  alignability compare maps/warehouse/problem.yaml --start 4,28,0 --goal 20,36,0 --blind-limits 12,8,4,0 -o limits\n"
-      "  alignability compare maps/warehouse/problem.yaml --drive 20 -o driven\n"
+      "  alignability compare maps/warehouse/problem.yaml --drive 20 --html driven.html\n"
       "  alignability compare maps/warehouse/problem.yaml --pairs 100 --iterations 5000 -o pairs");
   command->callback([options, &work] { work = [options] { return run(*options); }; });
 }

@@ -24,8 +24,8 @@ std::vector<std::vector<DrivenComparison>> drive_comparisons(std::span<const Com
   for (std::size_t i = 0; i < comparisons.size(); ++i) {
     const double radius = circumscribed_radius(comparisons[i].shortest.query.robot);
     for (std::size_t k = 0; k < trials.drive.localizers.size(); ++k) {
-      compared[i].push_back({trials.drive.localizers[k], path_errors({&paths[2 * i].runs, 1}, k, clearance, radius, {}),
-                             path_errors({&paths[2 * i + 1].runs, 1}, k, clearance, radius, {})});
+      compared[i].push_back(
+          {trials.drive.localizers[k], errors_of(paths[2 * i], k, clearance, radius), errors_of(paths[2 * i + 1], k, clearance, radius)});
     }
   }
   return compared;
@@ -49,8 +49,8 @@ Json drive_json(std::span<const DrivenComparison> driven, int runs) {
   for (const DrivenComparison& by : driven) {
     json.push_back({{"localizer", to_string(by.localizer)},
                     {"runs", runs},
-                    {"shortest", errors_json(by.shortest)},
-                    {"risk_aware", errors_json(by.risk_aware)}});
+                    {"shortest", errors_json(by.shortest.over_all)},
+                    {"risk_aware", errors_json(by.risk_aware.over_all)}});
   }
   return json;
 }
@@ -58,11 +58,11 @@ Json drive_json(std::span<const DrivenComparison> driven, int runs) {
 void print_drive(std::span<const DrivenComparison> driven, int runs) {
   for (const DrivenComparison& by : driven) {
     std::printf("\n%s, driven %d times\n", to_string(by.localizer), runs);
-    print_row("error, mean", by.shortest.mean.value, by.risk_aware.mean.value, "m");
-    print_row("error, 95 %", by.shortest.p95.value, by.risk_aware.p95.value, "m");
-    print_row("error, max", by.shortest.max.value, by.risk_aware.max.value, "m");
-    print_row("error at the goal", by.shortest.goal.value, by.risk_aware.goal.value, "m");
-    print_row("runs lost", 100.0 * by.shortest.lost.value, 100.0 * by.risk_aware.lost.value, "%");
+    print_row("error, mean", by.shortest.over_all.mean.value, by.risk_aware.over_all.mean.value, "m");
+    print_row("error, 95 %", by.shortest.over_all.p95.value, by.risk_aware.over_all.p95.value, "m");
+    print_row("error, max", by.shortest.over_all.max.value, by.risk_aware.over_all.max.value, "m");
+    print_row("error at the goal", by.shortest.over_all.goal.value, by.risk_aware.over_all.goal.value, "m");
+    print_row("runs lost", 100.0 * by.shortest.over_all.lost.value, 100.0 * by.risk_aware.over_all.lost.value, "%");
   }
 }
 
@@ -75,9 +75,9 @@ void print_driven_pairs(std::span<const Comparison> pairs, std::span<const std::
     const Comparison& pair = pairs[chosen[i]];
     for (const DrivenComparison& by : driven[i]) {
       std::printf("%5zu %5.2f x %6.1f / %6.1f  %-17s %6.3f / %6.3f %6.3f / %6.3f %6.0f / %6.0f\n", chosen[i], length_ratio(pair),
-                  pair.shortest.figures.blind_length, pair.risk_aware.figures.blind_length, to_string(by.localizer), by.shortest.mean.value,
-                  by.risk_aware.mean.value, by.shortest.p95.value, by.risk_aware.p95.value, 100.0 * by.shortest.lost.value,
-                  100.0 * by.risk_aware.lost.value);
+                  pair.shortest.figures.blind_length, pair.risk_aware.figures.blind_length, to_string(by.localizer),
+                  by.shortest.over_all.mean.value, by.risk_aware.over_all.mean.value, by.shortest.over_all.p95.value,
+                  by.risk_aware.over_all.p95.value, 100.0 * by.shortest.over_all.lost.value, 100.0 * by.risk_aware.over_all.lost.value);
     }
   }
 }

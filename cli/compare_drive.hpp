@@ -4,17 +4,17 @@
 #include <span>
 #include <vector>
 
+#include "cli/drive_paths.hpp"
 #include "cli/drive_site.hpp"
 #include "cli/json.hpp"
-#include "localization/path_errors.hpp"
 
 namespace alignability::cli {
 
 /// A comparison, driven: errors of one localizer along both paths, each run with the same errors on both.
 struct DrivenComparison {
   Localizer localizer;
-  PathErrors shortest;
-  PathErrors risk_aware;
+  LocalizerErrors shortest;
+  LocalizerErrors risk_aware;
 };
 
 /// By comparison, then by localizer. All must be solved. Throws Interrupted.

@@ -31,6 +31,11 @@ std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& s
   return paths;
 }
 
+LocalizerErrors errors_of(const DrivenPath& path, std::size_t localizer, const ClearanceMap& clearance, double radius) {
+  constexpr double kStep = 0.5;
+  return {path_errors({&path.runs, 1}, localizer, clearance, radius, {}), errors_along(path.runs, localizer, kStep)};
+}
+
 void warn_of_collisions(std::span<const DrivenPath> paths, const ClearanceMap& clearance, double radius) {
   for (const DrivenPath& path : paths) {
     for (std::size_t i = 1; i < path.path.size(); ++i) {

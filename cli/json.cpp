@@ -33,10 +33,6 @@ Json motion_json(const Motion& motion) {
   return json;
 }
 
-const char* policy_name(UnknownPolicy policy) {
-  return policy == UnknownPolicy::risky ? "risky" : policy == UnknownPolicy::neutral ? "neutral" : "blocked";
-}
-
 Json source_json(const RiskSource& source) {
   Json json{{"weight", source.weight}};
   if (source.file) {
@@ -49,7 +45,7 @@ Json source_json(const RiskSource& source) {
   }
   json["risky"] = source.risky;
   json["safe"] = source.safe;
-  if (source.file) json["unknown"] = policy_name(source.unknown);
+  if (source.file) json["unknown"] = to_string(source.unknown);
   return json;
 }
 
@@ -67,7 +63,7 @@ Json options_json(const PlanQuery& query) {
     robot = {{"footprint", corners}};
   }
   Json risk{
-      {"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", policy_name(query.risk.unknown)}};
+      {"alpha_critical", query.risk.alpha_critical}, {"alpha_safe", query.risk.alpha_safe}, {"unknown", to_string(query.risk.unknown)}};
   if (query.risk.alpha_weight != 1.0 || !query.risk.sources.empty())
     risk["sources"] = {{kAlignability, {{"weight", query.risk.alpha_weight}}}};
   for (const RiskSource& source : query.risk.sources) risk["sources"][source.name] = source_json(source);

@@ -8,6 +8,7 @@
 
 #include "cli/command.hpp"
 #include "cli/library_logs.hpp"
+#include "cli/report_output.hpp"
 #include "cli/strict_numbers.hpp"
 #include "core/input_error.hpp"
 #include "core/progress.hpp"
@@ -92,6 +93,8 @@ int main(int argc, char** argv) {
   app.require_subcommand(1);
   app.get_formatter()->column_width(34);
   Work work;
+  const std::vector<std::string> words(argv + 1, argv + argc);
+  const std::string command_line = "alignability " + shell_line(words);
   add_occupancy(app, work);
   add_scan(app, work);
   add_sample(app, work);
@@ -101,16 +104,17 @@ int main(int argc, char** argv) {
   add_join(app, work);
   add_compare_maps(app, work);
   add_plan(app, work);
-  add_compare(app, work);
+  add_compare(app, work, command_line);
   add_evaluate(app, work);
   add_export(app, work);
+  add_report(app, work, command_line);
   add_validate(app, work);
   add_calibrate(app, work);
   refuse_what_is_no_number(app);
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report(app, error, {argv + 1, argv + argc});
+    return report(app, error, words);
   }
   const LibraryLogs library_logs;
   return run(work);

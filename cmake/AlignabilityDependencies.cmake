@@ -6,7 +6,7 @@
 #
 # A package is written as find_package takes it. Those called Alignability… are find modules beside this file.
 
-set(alignability_rooms core costmap planner lidar alignability localization pictures cli)  # in the order the data flows: an arrow never points back
+set(alignability_rooms core costmap planner lidar alignability localization pictures report cli)  # in the order the data flows: an arrow never points back
 
 set(alignability_core_public "Eigen3 3.4 CONFIG")
 set(alignability_core_private yaml-cpp)
@@ -30,7 +30,10 @@ set(alignability_localization_private "Boost 1.74 CONFIG" yaml-cpp)
 set(alignability_pictures_beneath costmap)
 set(alignability_pictures_private AlignabilityCairomm)
 
-set(alignability_cli_beneath alignability planner localization pictures)
+set(alignability_report_beneath planner pictures)
+set(alignability_report_private nlohmann_json)
+
+set(alignability_cli_beneath alignability planner localization pictures report)
 set(alignability_cli_private AlignabilityPcl CLI11 nlohmann_json)
 
 # alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.

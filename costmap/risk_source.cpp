@@ -60,6 +60,10 @@ std::optional<std::string> fault_of_source(const RiskSource& source, const GridG
   return std::nullopt;
 }
 
+const char* to_string(UnknownPolicy policy) {
+  return policy == UnknownPolicy::risky ? "risky" : policy == UnknownPolicy::neutral ? "neutral" : "blocked";
+}
+
 double risk_of(double value, double risky, double safe, UnknownPolicy unknown) {
   if (std::isnan(value)) return unknown == UnknownPolicy::neutral ? 0.0 : 1.0;
   return std::clamp((safe - value) / (safe - risky), 0.0, 1.0);

@@ -17,6 +17,9 @@ enum class UnknownPolicy {
   blocked,  ///< not drivable; risk 1 where asked all the same; of alignability alone
 };
 
+/// The name of a policy as problem files have it.
+const char* to_string(UnknownPolicy policy);
+
 /// A kind of risk beside that of poor alignability: a value by place, such as how often something moves there, and from where to where it
 /// is risky. As with α, cells without a value take that of their neighbours first (see fill_border), and `unknown` says of the others.
 struct RiskSource {

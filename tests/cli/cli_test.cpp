@@ -283,9 +283,29 @@ TEST_F(Cli, ExportsForOtherPrograms) {
   EXPECT_EQ(read_alignability_map(folder / "site_map.yaml").alpha().geometry().width, 9);
 }
 
+TEST_F(Cli, ReportsMapsAndPathsOnAPage) {
+  ASSERT_EQ(run({"occupancy", "world.sdf", "--z-min", "0.1", "--z-max", "2", "-o", "occupancy"}).exit_code, 0);
+  ASSERT_EQ(run(kMap).exit_code, 0);
+  const test::Outcome compared = run({"compare", "problem.yaml", "-o", "way", "--html", "both ways.html"});
+  ASSERT_EQ(compared.exit_code, 0) << compared.err;
+  const std::string both = read_file(folder / "both ways.html", 1 << 24);
+  EXPECT_THAT(both, HasSubstr("<title>both ways</title>"));
+  EXPECT_THAT(both, HasSubstr(R"("command":"alignability compare problem.yaml -o way --html 'both ways.html'")"));
+  EXPECT_THAT(both, HasSubstr(R"({"name":"risk-aware")"));
+  EXPECT_THAT(both, HasSubstr("alpha_critical: 0.1"));
+
+  const test::Outcome reported = run({"report", "problem.yaml", "way_shortest.csv", "-o", "one.html"});
+  ASSERT_EQ(reported.exit_code, 0) << reported.err;
+  EXPECT_EQ(reported.out, "wrote one.html\n");
+  EXPECT_THAT(read_file(folder / "one.html", 1 << 24), HasSubstr(R"({"name":"way_shortest")"));
+  EXPECT_EQ(run({"report", "problem.yaml", "-o", "map.html"}).exit_code, 0);
+  EXPECT_THAT(read_file(folder / "map.html", 1 << 24), HasSubstr(R"("paths":[])"));
+  EXPECT_EQ(run({"report", "problem.yaml", "-o", "nowhere/map.html"}).exit_code, 2);
+}
+
 TEST_F(Cli, EndsHelpWithTwoExamples) {
   for (const std::string command :
-       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "export", "validate", "calibrate"}) {
+       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "export", "report", "validate", "calibrate"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");
