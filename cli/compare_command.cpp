@@ -19,6 +19,7 @@
 #include "cli/report_output.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
+#include "core/range.hpp"
 #include "planner/trade_off.hpp"
 
 namespace alignability::cli {
@@ -177,7 +178,7 @@ void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
   CLI::Option* weights =
       command->add_option("--weights", options->weights, "Further weights, for the curve of length against blind metres: 1,2,5,10")
           ->delimiter(',')
-          ->check(CLI::NonNegativeNumber);
+          ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
   CLI::Option* limits =
       command
           ->add_option("--blind-limits", options->blind_limits,

@@ -119,6 +119,7 @@ void print_distribution(std::span<const Comparison> pairs) {
   std::size_t both = 0;
   for (const Comparison& pair : pairs) both += solved(pair) ? 1 : 0;
   std::printf("%zu pairs, %zu of them solved for both\n", pairs.size(), both);
+  if (both == 0) return;
   std::printf("%-26s %9s %9s %9s %9s %9s\n", "", "mean", "min", "median", "95 %", "max");
   print_quantiles("length ratio", over_pairs(pairs, length_ratio), "x");
   print_quantiles("length, shortest", over_pairs(pairs, shortest_length), "m");

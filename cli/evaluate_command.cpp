@@ -6,6 +6,7 @@
 #include "cli/evaluate_output.hpp"
 #include "cli/output_name.hpp"
 #include "cli/problem_options.hpp"
+#include "core/range.hpp"
 #include "planner/route_file.hpp"
 
 namespace alignability::cli {
@@ -61,7 +62,8 @@ void add_evaluate(CLI::App& app, Work& work) {
   command->add_option("--problem", options->problem.file, "Problem file: maps, robot and risk are taken from it")->required();
   command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
   command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
-  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")->check(CLI::NonNegativeNumber);
+  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")
+      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
   command->add_option("--nodes", options->nodes, "Score the path along these nodes of a graph: 3,7,12")->delimiter(',');
   command->add_option("--vehicle", options->file.vehicle, "Vehicle type of a LIF file, where they drive differently");
   command->add_option("--map-id", options->file.map, "Map of a LIF file, where it has several");

@@ -24,6 +24,8 @@ inline constexpr Range kFinite{};
 inline constexpr Range kPositive{.min = 0.0, .min_end = Range::End::open};
 inline constexpr Range kNotNegative{.min = 0.0};
 inline constexpr Range kShare{.min = 0.0, .max = 1.0};
+/// What a weight in a sum of costs may be: with more, the metres beside it are lost to rounding.
+inline constexpr Range kCostWeights{.min = 0.0, .max = 1e9};
 
 /// The shortest decimal text that reads back as the same double: 0.1, 2500, 1e-09; nan, inf.
 std::string to_text(double value);

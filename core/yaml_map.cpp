@@ -6,6 +6,7 @@
 #include <cmath>
 
 #include "core/file.hpp"
+#include "core/yaml_outline.hpp"
 
 namespace alignability {
 namespace {
@@ -20,9 +21,8 @@ YamlMap YamlMap::from_file(const std::filesystem::path& file) { return from_text
 
 YamlMap YamlMap::from_text(const std::string& text, const std::filesystem::path& file) {
   try {
-    const std::vector<YAML::Node> documents = YAML::LoadAll(text);
-    if (documents.size() > 1) throw InputError(file, position_of(documents[1].Mark()), "a second document begins, where only one is read");
-    return YamlMap(documents.empty() ? YAML::Node() : documents.front(), file);
+    detail::check_yaml_outline(text, file);
+    return YamlMap(YAML::Load(text), file);
   } catch (const YAML::Exception& error) {
     throw InputError(file, position_of(error.mark), "not valid YAML: " + error.msg);
   }

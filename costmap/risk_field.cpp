@@ -26,7 +26,7 @@ const RiskOptions& checked(const RiskOptions& options) {
   if (options.min_alpha && !(*options.min_alpha >= 0.0 && *options.min_alpha <= 1.0)) {
     throw std::invalid_argument("min_alpha must be in [0, 1]");
   }
-  if (!kNotNegative.contains(options.alpha_weight)) throw std::invalid_argument("alpha_weight must be at least 0");
+  if (!kCostWeights.contains(options.alpha_weight)) throw std::invalid_argument("alpha_weight must be " + kCostWeights.description());
   return options;
 }
 

@@ -47,7 +47,7 @@ bool is_source_name(const std::string& name) {
 std::optional<std::string> fault_of_source(const RiskSource& source, const GridGeometry& map) {
   if (!is_source_name(source.name)) return "the name of a risk's source must be made of letters, digits, '_' and '-'";
   if (source.name == kAlignability) return "alignability is a risk's source of its own";
-  if (!kNotNegative.contains(source.weight)) return "a source's weight must be " + kNotNegative.description();
+  if (!kCostWeights.contains(source.weight)) return "a source's weight must be " + kCostWeights.description();
   if (!kFinite.contains(source.risky) || !kFinite.contains(source.safe)) return "'risky' and 'safe' must be finite";
   if (source.risky == source.safe) return "'risky' and 'safe' must differ";
   if (source.unknown == UnknownPolicy::blocked) return "only where alignability is unknown may it be blocked";

@@ -47,6 +47,8 @@ Json parsed(std::string_view text, const std::filesystem::path& file) {
     return Json::parse(text, shallow);
   } catch (const Json::parse_error& error) {
     throw InputError(file, "is no JSON from byte " + std::to_string(error.byte) + " on");
+  } catch (const Json::out_of_range&) {
+    throw InputError(file, "has a number beyond what a double holds");
   } catch (const std::length_error& error) {
     throw InputError(file, error.what());
   }

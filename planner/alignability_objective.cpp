@@ -26,8 +26,9 @@ AlignabilityObjective::AlignabilityObjective(const ob::SpaceInformationPtr& si, 
                                              const ObjectiveOptions& options, StateProjection projection, MotionShape shape)
     : ob::OptimizationObjective(si), risk_(std::move(risk)), options_(options), projection_(std::move(projection)), shape_(shape) {
   for (const double cost : {options.weight, options.turn_cost, options.reverse_penalty}) {
-    if (!kNotNegative.contains(cost))
-      throw ompl::Exception("AlignabilityObjective", "weight, turn_cost, reverse_penalty must be at least 0");
+    if (!kCostWeights.contains(cost)) {
+      throw ompl::Exception("AlignabilityObjective", "weight, turn_cost and reverse_penalty must be " + kCostWeights.description());
+    }
   }
   if (shape == MotionShape::curved) steering_.emplace(si->getStateSpace());
   description_ = "Alignability";

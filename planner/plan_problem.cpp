@@ -4,6 +4,7 @@
 #include <limits>
 #include <sstream>
 
+#include "core/range.hpp"
 #include "core/yaml_map.hpp"
 #include "costmap/heading_layers.hpp"
 #include "costmap/map_server.hpp"
@@ -50,7 +51,7 @@ Robot read_robot(YamlMap yaml) {
 Motion read_motion(YamlMap yaml) {
   Motion motion;
   motion.space = yaml.find_choice("space", kSpaces).value_or(motion.space);
-  motion.turn_cost = yaml.find_number("turn_cost", kNotNegative).value_or(motion.turn_cost);
+  motion.turn_cost = yaml.find_number("turn_cost", kCostWeights).value_or(motion.turn_cost);
   if (is_curved(motion.space)) {
     motion.turning_radius = yaml.number("turning_radius", kTurningRadius);
   } else if (yaml.has("turning_radius")) {
@@ -59,7 +60,7 @@ Motion read_motion(YamlMap yaml) {
   if (yaml.has("reverse_penalty") && motion.space != MotionSpace::reeds_shepp) {
     yaml.fail("reverse_penalty", "only in the space reeds_shepp does the robot drive backward");
   }
-  motion.reverse_penalty = yaml.find_number("reverse_penalty", kNotNegative).value_or(motion.reverse_penalty);
+  motion.reverse_penalty = yaml.find_number("reverse_penalty", kCostWeights).value_or(motion.reverse_penalty);
   yaml.finish();
   return motion;
 }
@@ -75,7 +76,7 @@ GoalTolerance read_goal_tolerance(YamlMap yaml) {
 
 void read_risk(YamlMap yaml, ProblemFile& file) {
   PlanQuery& query = file.query;
-  query.weight = yaml.find_number("weight", kNotNegative).value_or(query.weight);
+  query.weight = yaml.find_number("weight", kCostWeights).value_or(query.weight);
   query.max_error = yaml.find_number("max_error", kPositive);
   query.max_blind_distance = yaml.find_number("max_blind_distance", kNotNegative);
   query.recovery_distance = yaml.find_number("recovery_distance", kPositive).value_or(query.recovery_distance);
@@ -197,6 +198,13 @@ PlanProblem load_problem(const ProblemFile& file) {
 
 const char* to_string(MotionSpace space) { return name_of(space, kSpaces); }
 
+std::optional<std::string> refusal_of_weights(const PlanQuery& query) {
+  if (!kCostWeights.contains(query.weight)) return "the weight of the risk must be " + kCostWeights.description();
+  if (!kCostWeights.contains(query.motion.turn_cost)) return "what turning costs must be " + kCostWeights.description();
+  if (!kCostWeights.contains(query.motion.reverse_penalty)) return "a reverse penalty must be " + kCostWeights.description();
+  return std::nullopt;
+}
+
 std::optional<std::string> refusal_of_space(const PlanQuery& query) {
   const Motion& motion = query.motion;
   if (motion.space == MotionSpace::r2 && !query.robot.footprint.empty()) {
@@ -204,7 +212,6 @@ std::optional<std::string> refusal_of_space(const PlanQuery& query) {
   }
   if (!is_curved(motion.space)) return std::nullopt;
   if (!kTurningRadius.contains(motion.turning_radius)) return "a car's turning radius must be " + kTurningRadius.description() + " m";
-  if (!kNotNegative.contains(motion.reverse_penalty)) return "a reverse penalty must be " + kNotNegative.description();
   return refusal_of_planner(query.planner.name.empty() ? kDefaultPlanner : query.planner.name, motion.space);
 }
 

@@ -54,7 +54,7 @@ struct PlanQuery {
   Pose2 start;
   Pose2 goal;
   GoalTolerance goal_tolerance;
-  double weight = 5.0;  ///< of the risk, of all its sources together, >= 0
+  double weight = 5.0;  ///< of the risk, of all its sources together, from 0 to 1e9
   /// The 95th percentile of the localization error that may be predicted anywhere on the path [m], > 0; comparisons pay no heed to it.
   std::optional<double> max_error = {};
   /// How many blind metres there may be between one place where the robot finds itself and the next (see BlindLimit) [m], >= 0; likewise.
@@ -89,6 +89,9 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file);
 
 /// Reads the maps. Throws InputError.
 PlanProblem load_problem(const ProblemFile& file);
+
+/// Which of what a query weighs is no number from 0 to 1e9 (see kCostWeights); nullopt when none is.
+std::optional<std::string> refusal_of_weights(const PlanQuery& query);
 
 /// Why a query's robot cannot be planned for in its space, by its planner; nullopt when it can.
 std::optional<std::string> refusal_of_space(const PlanQuery& query);

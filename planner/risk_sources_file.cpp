@@ -29,7 +29,7 @@ RiskSource read_source(const std::string& name, YamlMap yaml) {
   const bool is_clearance = name == kClearance;
   RiskSource source;
   source.name = name;
-  source.weight = yaml.number("weight", kNotNegative);
+  source.weight = yaml.number("weight", kCostWeights);
   if (!is_clearance) source.file = read_raster_file(yaml);
   const Range& values = is_clearance ? kNotNegative : kFinite;
   source.risky = yaml.number("risky", values);
@@ -83,7 +83,7 @@ RiskSources read_risk_sources(YamlMap yaml) {
   for (const std::string& name : yaml.keys()) {
     YamlMap source = yaml.map(name);
     if (name == kAlignability) {
-      read.alpha_weight = source.number("weight", kNotNegative);
+      read.alpha_weight = source.number("weight", kCostWeights);
       source.finish();
       continue;
     }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 // What the fuzzers start from, and what they found: seeds/READER/… must each be read, or refused by InputError. Those called good… are
-// read.
+// read; those called hang… take a library as long as it is let.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -39,6 +39,7 @@ TEST_P(Seeds, AreReadOrRefused) {
 TEST_P(Seeds, AreReadOrRefusedCutShortAnywhere) {
   const test::FuzzedFile file(GetParam());
   for (const std::filesystem::path& seed : files()) {
+    if (seed.filename().string().starts_with("hang")) continue;
     const std::string bytes = read_file(seed, 1 << 24);
     const std::size_t step = std::max<std::size_t>(1, bytes.size() / 64);
     for (std::size_t size = 0; size < bytes.size(); size += step) EXPECT_NO_THROW(file.read(bytes.substr(0, size))) << seed << ", " << size;

@@ -156,7 +156,7 @@ TEST_F(ProblemFileTest, ReadsACarsMotionAndWritesItOut) {
   expect_refusal("space: dubins, turning_radius: 0", "problem.yaml:4:41: 'turning_radius' must be greater than 0");
   expect_refusal("space: se2, turning_radius: 1", "problem.yaml:4:38: a turning radius belongs to the spaces dubins and reeds_shepp");
   expect_refusal("space: dubins, turning_radius: 1, reverse_penalty: 1", "problem.yaml:4:61: only in the space reeds_shepp");
-  expect_refusal("space: reeds_shepp, turning_radius: 1, reverse_penalty: -1", "'reverse_penalty' must be at least 0");
+  expect_refusal("space: reeds_shepp, turning_radius: 1, reverse_penalty: -1", "'reverse_penalty' must be from 0 to 1e+09");
   expect_refusal("space: car, turning_radius: 1", "dubins");
 }
 
@@ -168,8 +168,8 @@ TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
   };
   const Fault faults[] = {
       {"weight: 7", "wieght: 7", "problem.yaml:8:8: unknown key 'wieght' (did you mean 'weight'?)"},
-      {"weight: 7", "weight: -1", "problem.yaml:8:16: 'weight' must be at least 0, not -1"},
-      {"weight: 7", "weight: .nan", "problem.yaml:8:16: 'weight' must be at least 0, not .nan"},
+      {"weight: 7", "weight: -1", "problem.yaml:8:16: 'weight' must be from 0 to 1e+09, not -1"},
+      {"weight: 7", "weight: .nan", "problem.yaml:8:16: 'weight' must be from 0 to 1e+09, not .nan"},
       {"alpha_critical: 0.2", "alpha_critical: 0.6", "'alpha_critical' must be less than 'alpha_safe'"},
       {"unknown: neutral", "unknown: netural",
        "'unknown' is 'netural', which is none of: risky, neutral, blocked (did you mean 'neutral'?)"},

@@ -96,11 +96,11 @@ TEST_F(RiskSourcesFile, AreRefusedAtTheLineAndColumnOfWhatIsWrong) {
   };
   const Fault faults[] = {
       {"sources:", "source:", "problem.yaml:8:3: unknown key 'source' (did you mean 'sources'?)"},
-      {"alignability: {weight: 0.5}", "alignability: {weight: -0.5}", "problem.yaml:9:28: 'weight' must be at least 0, not -0.5"},
+      {"alignability: {weight: 0.5}", "alignability: {weight: -0.5}", "problem.yaml:9:28: 'weight' must be from 0 to 1e+09, not -0.5"},
       {"alignability: {weight: 0.5}", "alignability: {weight: 1, safe: 1}", "problem.yaml:9:31: unknown key 'safe'"},
       {"clearance: {", "clearence: {", "problem.yaml:10:16: 'clearence' has no 'raster', and is no source of our own (did you mean"},
       {"weight: 0.25, ", "", "problem.yaml:10:16: missing key 'weight'"},
-      {"weight: 0.25", "weight: .inf", "problem.yaml:10:25: 'weight' must be at least 0, not .inf"},
+      {"weight: 0.25", "weight: .inf", "problem.yaml:10:25: 'weight' must be from 0 to 1e+09, not .inf"},
       {"safe: 1}", "safe: 0.3}", "problem.yaml:10:49: 'risky' and 'safe' must differ"},
       {"risky: 0.3", "risky: -1", "'risky' must be at least 0, not -1"},
       {"safe: 1}", "safe: 1, unknown: risky}", "problem.yaml:10:52: unknown key 'unknown'"},
