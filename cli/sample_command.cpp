@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <iostream>
+#include <stdexcept>
 
 #include "cli/command.hpp"
 #include "cli/scene_options.hpp"
@@ -21,6 +22,7 @@ int run(const Options& options) {
   const Site site = read_site_telling(options.site, options.reading);
   if (site.meshes.empty()) throw InputError(options.site, "has no surfaces to sample: it is points already");
   Scan cloud{.points = sample_surface(site.meshes, options.sampling).points};
+  if (cloud.points.empty()) throw std::invalid_argument("--spacing is so wide that no point falls on a surface");
   cloud.columns = static_cast<int>(cloud.points.size());
   write_pcd(cloud, options.output);
   std::cout << options.output.string() << ": " << cloud.points.size() << " points\n";

@@ -27,7 +27,8 @@ struct NoiseKey {
 
 /// What the lidar sees of the scene: one ring-major scan, as if taken in an instant. With a key, ranges carry Gaussian noise of
 /// `model.range_stddev`, one draw a beam whether it hits or not, so that the noise does not depend on the scene; without, none. Measured
-/// ranges outside [range_min, range_max] are NaN. Throws std::invalid_argument for a pose that is not finite.
+/// ranges outside [range_min, range_max] are NaN. Throws std::invalid_argument for a pose that is not finite,
+/// and for a `range_max` within which the lidar sees nothing.
 Scan simulate_scan(const Scene& scene, const LidarModel& model, const Eigen::Isometry3d& T_map_lidar, const ScanOptions& options = {},
                    std::optional<NoiseKey> noise = std::nullopt);
 

@@ -67,6 +67,15 @@ TEST(SimulateScan, RangesOutsideTheLimitsAreNan) {
   EXPECT_TRUE(std::isnan(simulate_scan(room(10, 8, 6), model, at(0, 0, 0, 0)).points[12 + 9].y()));
 }
 
+TEST(SimulateScan, RefusesALimitWithinWhichTheLidarSeesNothing) {
+  LidarModel model = small_lidar();
+  model.range_min = 1.0;
+  const auto cropped = [&](double range_max) { simulate_scan(room(10, 8, 6), model, at(0, 0, 0, 0), {.range_max = range_max}); };
+  EXPECT_THROW(cropped(1.0), std::invalid_argument);
+  EXPECT_THROW(cropped(std::nan("")), std::invalid_argument);
+  EXPECT_NO_THROW(cropped(1.1));
+}
+
 TEST(SimulateScan, NoiseHasTheDeviationOfTheSensorAndLiesAlongTheBeam) {
   LidarModel model = small_lidar();
   model.sectors.front().columns = 20000;
