@@ -14,6 +14,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/path_output.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/problem_options.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/report_output.hpp"
@@ -37,18 +38,20 @@ struct Options {
   DriveSiteOptions drive;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
   std::optional<std::filesystem::path> html;
   std::string command_line;  // for the page
 };
 
-void write_paths(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name) {
+void write_paths(const PlanProblem& problem, const RiskField& risk, const Comparison& comparison, const std::filesystem::path& name,
+                 const PictureKinds& kinds) {
   if (!solved(comparison)) return;
   const std::array paths{drawn(comparison.risk_aware, risk, "risk-aware", kRiskAwareColour, LineStyle::solid),
                          drawn(comparison.shortest, risk, "shortest", kShortestColour, LineStyle::dashed)};
   write_path_csv(comparison.shortest, risk, with_ending(name, "_shortest.csv"));
   write_path_csv(comparison.risk_aware, risk, with_ending(name, "_risk_aware.csv"));
-  draw_paths(problem.alignability, problem.occupancy, paths,
-             picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()), with_ending(name, ".png"));
+  const PathPictureOptions picture = picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string());
+  for (const auto& file : picture_files(name, kinds)) draw_paths(problem.alignability, problem.occupancy, paths, picture, file);
 }
 
 void write_page(const Options& options, const PlanProblem& problem, const RiskField& risk, const Comparison& comparison,
@@ -102,10 +105,10 @@ int compare_poses(const Options& options, const PlanProblem& problem, const Plan
   }
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
-    write_paths(problem, *fields.risk, comparison, name);
-    if (!options.weights.empty()) draw_curve(curve, with_ending(name, "_curve.png"));
+    write_paths(problem, *fields.risk, comparison, name, options.pictures);
+    if (!options.weights.empty()) draw_curve(curve, name, options.pictures);
     if (!limited.empty() && solved(comparison)) {
-      draw_limits(problem, *fields.risk, comparison.shortest, limited, name);
+      draw_limits(problem, *fields.risk, comparison.shortest, limited, name, options.pictures);
     }
     write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
   }
@@ -148,7 +151,7 @@ int compare_random_pairs(const Options& options, const PlanProblem& problem, con
   }
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
-    draw_distribution(pairs, with_ending(name, ".png"));
+    draw_distribution(pairs, name, options.pictures);
     write_pairs_csv(pairs, with_ending(name, ".csv"));
     write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
   }
@@ -203,6 +206,7 @@ void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
                       "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
                       "NAME_limits.png with --blind-limits; "
                       "NAME.json, NAME.png and NAME.csv with --pairs");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability compare maps/warehouse/problem.yaml --weights 1,2,5,10 -o comparison\n"

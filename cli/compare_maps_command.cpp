@@ -6,6 +6,7 @@
 #include "cli/compare_maps_output.hpp"
 #include "cli/map_output.hpp"
 #include "cli/output_name.hpp"
+#include "cli/picture_option.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "costmap/map_server.hpp"
@@ -22,6 +23,7 @@ struct Options {
   std::size_t worst = 10;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
 MapComparison compare(const Options& options, const AlignabilityMap& first, const AlignabilityMap& second) {
@@ -36,7 +38,9 @@ void store(const Options& options, const AlignabilityMap& first, const MapCompar
   const std::filesystem::path name = output_name(*options.output);
   const OccupancyMap occupancy = options.occupancy ? read_occupancy_map(*options.occupancy) : open_ground(first.geometry);
   const std::string title = options.second.filename().string() + " against " + options.first.filename().string();
-  draw_alignability_difference(comparison, first.geometry, occupancy, title, with_ending(name, ".png"));
+  for (const auto& file : picture_files(name, options.pictures)) {
+    draw_alignability_difference(comparison, first.geometry, occupancy, title, file);
+  }
   write_file(with_ending(name, ".json"), summary.dump(2) + '\n');
 }
 
@@ -91,6 +95,7 @@ void add_compare_maps(CLI::App& app, Work& work) {
   command->add_option("--worst", options->worst, "How many cells to list, the greatest fall first")->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.png, the difference drawn, and NAME.json");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability compare-maps simulated.yaml logged.yaml --occupancy site.yaml -o change\n"

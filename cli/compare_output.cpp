@@ -130,16 +130,16 @@ void print_distribution(std::span<const Comparison> pairs) {
   print_quantiles("risk integral, risk-aware", over_pairs(pairs, risk_aware_risk), "m");
 }
 
-void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& png) {
+void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& name, const PictureKinds& kinds) {
   std::vector<TradeOffPoint> points;
   for (const PlanResult& point : curve) {
     if (point.status == PlanStatus::solved) points.push_back({point.query.weight, point.figures.length, point.figures.blind_length});
   }
-  draw_trade_off(points, "What a longer path buys", png);
+  for (const auto& file : picture_files(with_ending(name, "_curve"), kinds)) draw_trade_off(points, "What a longer path buys", file);
 }
 
 void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanResult& shortest, std::span<const PlanResult> limited,
-                 const std::filesystem::path& name) {
+                 const std::filesystem::path& name, const PictureKinds& kinds) {
   std::vector<DrawnPath> routes;
   const PlanResult* last = nullptr;
   for (const PlanResult& result : limited) {
@@ -148,19 +148,21 @@ void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanRe
     last = &result;
   }
   routes.push_back(drawn(shortest, risk, "shortest", kShortestColour, LineStyle::dashed));
-  draw_paths(problem.alignability, problem.occupancy, routes,
-             picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()),
-             with_ending(name, "_limits.png"));
+  const PathPictureOptions picture = picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string());
+  for (const auto& file : picture_files(with_ending(name, "_limits"), kinds)) {
+    draw_paths(problem.alignability, problem.occupancy, routes, picture, file);
+  }
 }
 
-void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& png) {
+void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& name, const PictureKinds& kinds) {
   const std::array panels{
       DistributionPanel{"length, risk-aware / shortest", {{"", over_pairs(pairs, length_ratio), kRiskAwareColour, LineStyle::solid}}, 1.0},
       DistributionPanel{"driven blind [m]",
                         {{"shortest", over_pairs(pairs, shortest_blind), kShortestColour, LineStyle::dashed},
                          {"risk-aware", over_pairs(pairs, risk_aware_blind), kRiskAwareColour, LineStyle::solid}},
                         0.0}};
-  draw_distributions(panels, std::to_string(panels.front().curves.front().values.size()) + " random pairs of start and goal", png);
+  const std::string title = std::to_string(panels.front().curves.front().values.size()) + " random pairs of start and goal";
+  for (const auto& file : picture_files(name, kinds)) draw_distributions(panels, title, file);
 }
 
 void write_pairs_csv(std::span<const Comparison> pairs, const std::filesystem::path& csv) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <span>
 
+#include "cli/output_name.hpp"
 #include "planner/random_pairs.hpp"
 
 namespace alignability::cli {
@@ -19,13 +20,13 @@ void print_limits(const PlanResult& shortest, std::span<const PlanResult> limite
 /// Quantiles over the pairs that both plans solved, for --pairs.
 void print_distribution(std::span<const Comparison> pairs);
 
-/// Blind metres against length, a point a weight whose plan found a path.
-void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& png);
+/// Blind metres against length, a point a weight whose plan found a path: NAME_curve.png, and other kinds likewise.
+void draw_curve(std::span<const PlanResult> curve, const std::filesystem::path& name, const PictureKinds& kinds);
 /// The shortest path and those within limits of blind metres, those alike once: NAME_limits.png.
 void draw_limits(const PlanProblem& problem, const RiskField& risk, const PlanResult& shortest, std::span<const PlanResult> limited,
-                 const std::filesystem::path& name);
-/// How the ratio of lengths and the blind metres are distributed.
-void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& png);
+                 const std::filesystem::path& name, const PictureKinds& kinds);
+/// How the ratio of lengths and the blind metres are distributed: NAME.png.
+void draw_distribution(std::span<const Comparison> pairs, const std::filesystem::path& name, const PictureKinds& kinds);
 /// A row a pair; figures are empty where there is no path.
 void write_pairs_csv(std::span<const Comparison> pairs, const std::filesystem::path& csv);
 

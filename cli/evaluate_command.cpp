@@ -5,6 +5,7 @@
 #include "cli/command.hpp"
 #include "cli/evaluate_output.hpp"
 #include "cli/output_name.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/problem_options.hpp"
 #include "core/range.hpp"
 #include "planner/route_file.hpp"
@@ -19,6 +20,7 @@ struct Options {
   ProblemOptions problem;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
 Route read(const Options& options) {
@@ -44,7 +46,7 @@ int run(const Options& options) {
   EvaluatedRoute evaluated{.route = read(options), .problem = load(options.problem), .evaluation = {}};
   const PlanningFields fields(evaluated.problem);
   evaluated.evaluation = evaluate(evaluated.route, evaluated.problem.query, fields);
-  if (options.output) write_evaluation(evaluated, *fields.risk, output_name(*options.output));
+  if (options.output) write_evaluation(evaluated, *fields.risk, output_name(*options.output), options.pictures);
   if (options.json) {
     print({evaluation_json(evaluated)});
   } else {
@@ -69,6 +71,7 @@ void add_evaluate(CLI::App& app, Work& work) {
   command->add_option("--map-id", options->file.map, "Map of a LIF file, where it has several");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability evaluate maps/warehouse/lanes.geojson --problem maps/warehouse/problem.yaml -o lanes\n"

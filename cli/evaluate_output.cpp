@@ -151,7 +151,8 @@ std::string obstruction_text(const WayEvaluation& way) {
   return what + " at x " + fixed_text(way.obstruction->x, 2) + ", y " + fixed_text(way.obstruction->y, 2);
 }
 
-void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, const std::filesystem::path& name) {
+void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, const std::filesystem::path& name,
+                      const PictureKinds& kinds) {
   const PlanQuery& query = evaluated.problem.query;
   const std::string title = name.filename().string();
   const std::filesystem::path csv = with_ending(name, ".csv");
@@ -162,7 +163,9 @@ void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, co
   const std::vector<DrawnPath> paths =
       is_path ? std::vector<DrawnPath>{drawn(path, risk, title, kRiskAwareColour, LineStyle::solid)} : drawn_edges(evaluated, risk);
   is_path ? write_path_csv(path, risk, csv) : write_edges_csv(evaluated, csv);
-  draw_paths(evaluated.problem.alignability, evaluated.problem.occupancy, paths, options, with_ending(name, ".png"));
+  for (const auto& file : picture_files(name, kinds)) {
+    draw_paths(evaluated.problem.alignability, evaluated.problem.occupancy, paths, options, file);
+  }
   write_file(with_ending(name, ".json"), evaluation_json(evaluated).dump(2) + '\n');
 }
 

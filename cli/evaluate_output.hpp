@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/json.hpp"
+#include "cli/output_name.hpp"
 #include "planner/evaluate.hpp"
 
 namespace alignability::cli {
@@ -25,7 +26,7 @@ void print_evaluation(const EvaluatedRoute& evaluated);
 /// "the robot collides at x 3.60, y 5.00" for a way that is obstructed.
 std::string obstruction_text(const WayEvaluation& way);
 
-/// NAME.json, NAME.csv and NAME.png.
-void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, const std::filesystem::path& name);
+/// NAME.json, NAME.csv and NAME.png, or the picture as other kinds.
+void write_evaluation(const EvaluatedRoute& evaluated, const RiskField& risk, const std::filesystem::path& name, const PictureKinds& kinds);
 
 }  // namespace alignability::cli

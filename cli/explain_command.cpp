@@ -9,6 +9,7 @@
 #include "cli/command.hpp"
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/reading_text.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
@@ -41,6 +42,7 @@ struct Options {
   AlignabilityOptions scoring;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 
   Eigen::Vector2d place() const { return {at[0], at[1]}; }
   Pose2 pose() const { return {at[0], at[1], at.size() == 3 ? at[2] : 0.0}; }
@@ -249,7 +251,9 @@ void draw(const Scan& scan, const Explanation& explanation, const Options& optio
   }
   const Rest rest = rest_of(explanation);
   picture.smaller_planes = std::to_string(rest.planes) + " smaller: " + percent(rest.share) + ", holds " + percent(rest.holds);
-  draw_scan(scan.points, explanation.plane_of_point, picture, with_ending(output_name(*options.output), ".png"));
+  for (const auto& file : picture_files(output_name(*options.output), options.pictures)) {
+    draw_scan(scan.points, explanation.plane_of_point, picture, file);
+  }
 }
 
 int run(Options options) {
@@ -307,6 +311,7 @@ void add_explain(CLI::App& app, Work& work) {
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json and NAME.png, the scan from above");
   add_site_options(*command, options->reading);
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability explain 30,22.5 --problem maps/warehouse/problem.yaml -o corridor\n"

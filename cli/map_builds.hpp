@@ -7,6 +7,7 @@
 
 #include "alignability/build_map.hpp"
 #include "cli/log_options.hpp"
+#include "cli/output_name.hpp"
 #include "lidar/site.hpp"
 
 namespace alignability::cli {
@@ -26,6 +27,7 @@ struct MapCommandOptions {
   std::optional<std::filesystem::path> update;
   bool json = false;
   std::filesystem::path output;
+  PictureKinds pictures;
 };
 
 // Each makes the map, stores it under the name of the output, tells of it, and returns the exit code.

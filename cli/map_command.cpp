@@ -6,6 +6,7 @@
 
 #include "cli/command.hpp"
 #include "cli/map_builds.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
 #include "lidar/carmen_log.hpp"
@@ -43,7 +44,7 @@ void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
 const Names kOfScenesAlone{"--samples",    "--headings", "--floor", "--seed", "--cells", "--polygon", "--update",
                            "--model-path", "--geometry", "--unit",  "--up",   "--thin",  "--level"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
-const Names kOfMerging{"--merge", "--occupancy", "--json", "--output"};
+const Names kOfMerging{"--merge", "--occupancy", "--json", "--output", "--pictures"};
 
 // Refuses options that were given and mean nothing to the source.
 template <typename MeansNothing>
@@ -95,6 +96,7 @@ void add_map(CLI::App& app, Work& work) {
                    "NAME: writes NAME.yaml, NAME.tiff and NAME.png; of a log NAME.csv too, a line a scan; of a scene NAME.part keeps what "
                    "is done until then")
       ->required();
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability map --scene maps/warehouse/warehouse.sdf --occupancy maps/warehouse/occupancy.yaml \\\n"

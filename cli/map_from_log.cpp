@@ -96,8 +96,8 @@ int map_from_log(const MapCommandOptions& options) {
 
   const std::filesystem::path name = output_name(options.output);
   write_file(with_ending(name, ".csv"), csv(log, places));
-  store_map(map, occupancy.value_or(open_ground(cells)), name);
-  std::vector<std::filesystem::path> files = map_files(name);
+  store_map(map, occupancy.value_or(open_ground(cells)), name, options.pictures);
+  std::vector<std::filesystem::path> files = map_files(name, options.pictures);
   files.push_back(with_ending(name, ".csv"));
   Json summary = map_json(map, seconds_since(begin), files);
   summary["scans_without_a_pose"] = log.without_a_pose.size();

@@ -105,9 +105,9 @@ int build_and_store(MapCommandOptions options) {
   options.map.checkpoint = checkpoint_of(options);
   AlignabilityMap built = build(scene, occupancy, sensor, options.map);
   built.provenance = provenance(options);
-  store_map(before ? updated(*before, built, *options.map.cells) : built, occupancy, name);
+  store_map(before ? updated(*before, built, *options.map.cells) : built, occupancy, name, options.pictures);
   std::filesystem::remove(*options.map.checkpoint);
-  tell(map_json(built, seconds_since(begin), map_files(name)), options.json);
+  tell(map_json(built, seconds_since(begin), map_files(name, options.pictures)), options.json);
   return kYes;
 }
 

@@ -40,8 +40,8 @@ int map_from_two(const MapCommandOptions& options) {
   result.map.provenance = "merged: [" + options.merge[0].filename().string() + ", " + options.merge[1].filename().string() +
                           "]\nmade_by: alignability " ALIGNABILITY_VERSION "\n";
   const std::filesystem::path name = output_name(options.output);
-  store_map(result.map, occupancy.value_or(open_ground(result.map.geometry)), name);
-  Json summary = map_json(result.map, seconds_since(begin), map_files(name));
+  store_map(result.map, occupancy.value_or(open_ground(result.map.geometry)), name, options.pictures);
+  Json summary = map_json(result.map, seconds_since(begin), map_files(name, options.pictures));
   summary["cells_taken"] = result.taken;
   tell(summary, options.json);
   return kYes;

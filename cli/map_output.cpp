@@ -4,21 +4,24 @@
 #include <cstdio>
 #include <iostream>
 
-#include "cli/output_name.hpp"
 #include "cli/progress_bar.hpp"
 #include "pictures/alignability_picture.hpp"
 
 namespace alignability::cli {
 
-void store_map(const AlignabilityMap& map, const OccupancyMap& occupancy, const std::filesystem::path& name) {
-  draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, with_ending(name, ".png"));
+void store_map(const AlignabilityMap& map, const OccupancyMap& occupancy, const std::filesystem::path& name, const PictureKinds& kinds) {
+  for (const auto& file : picture_files(name, kinds)) {
+    draw_alignability_map(map, occupancy, {.title = name.filename().string(), .risk = {}}, file);
+  }
   write_alignability_map(map, name);
 }
 
 OccupancyMap open_ground(const GridGeometry& cells) { return OccupancyMap(Grid<float>(cells, 0.0f)); }
 
-std::vector<std::filesystem::path> map_files(const std::filesystem::path& name) {
-  return {with_ending(name, ".yaml"), with_ending(name, ".tiff"), with_ending(name, ".png")};
+std::vector<std::filesystem::path> map_files(const std::filesystem::path& name, const PictureKinds& kinds) {
+  std::vector<std::filesystem::path> files{with_ending(name, ".yaml"), with_ending(name, ".tiff")};
+  for (const auto& file : picture_files(name, kinds)) files.push_back(file);
+  return files;
 }
 
 void tell(const Json& summary, bool json) {

@@ -7,6 +7,7 @@
 #include "cli/json.hpp"
 #include "cli/output_name.hpp"
 #include "cli/path_output.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/plan_stations.hpp"
 #include "cli/problem_options.hpp"
 #include "core/file.hpp"
@@ -25,14 +26,18 @@ struct Options {
   std::optional<double> min_alignability;
   std::optional<std::filesystem::path> stations;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
-void write_files(const PlanProblem& problem, const RiskField& risk, const PlanResult& result, const std::filesystem::path& name) {
+void write_files(const PlanProblem& problem, const RiskField& risk, const PlanResult& result, const Options& options) {
+  const std::filesystem::path name = output_name(*options.output);
   if (result.status == PlanStatus::solved) {
     const DrawnPath path = drawn(result, risk, result.query.planner.name, kRiskAwareColour, LineStyle::solid);
     write_path_csv(result, risk, with_ending(name, ".csv"));
-    draw_paths(problem.alignability, problem.occupancy, {&path, 1},
-               picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string()), with_ending(name, ".png"));
+    const PathPictureOptions picture = picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string());
+    for (const auto& file : picture_files(name, options.pictures)) {
+      draw_paths(problem.alignability, problem.occupancy, {&path, 1}, picture, file);
+    }
   }
   write_file(with_ending(name, ".json"), plan_json(result).dump(2) + '\n');
 }
@@ -82,12 +87,13 @@ int run(const Options& options) {
   ProblemFile file = problem_file(options.problem);
   set_limits(options, file.query);
   const PlanProblem problem = load_problem(file);
-  if (options.stations) return plan_stations(problem, {*options.stations, options.json, options.output}, interrupt.token());
+  if (options.stations)
+    return plan_stations(problem, {*options.stations, options.json, options.output, options.pictures}, interrupt.token());
   if (problem.alignability.error_model) warn_of_mismatches(file, problem.alignability);
   const PlanningFields fields(problem);
   const PlanResult result = plan(problem.query, fields, {.stop = interrupt.token()});
   if (result.status == PlanStatus::interrupted) throw Interrupted();
-  if (options.output) write_files(problem, *fields.risk, result, output_name(*options.output));
+  if (options.output) write_files(problem, *fields.risk, result, options);
   if (options.json) print({plan_json(result)});
   if (result.status != PlanStatus::solved) return say_no(options.problem.file, result);
   if (!options.json) print_result(result);
@@ -120,6 +126,7 @@ void add_plan(CLI::App& app, Work& work) {
                       "the matrix of costs");
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
       "  alignability plan maps/warehouse/problem.yaml -o route\n"

@@ -15,7 +15,8 @@ namespace alignability::cli {
 namespace {
 
 // Each way once: the way back is the same or much like it.
-void draw_ways(const PlanProblem& problem, const RiskField& risk, const StationPlans& plans, const std::filesystem::path& png) {
+void draw_ways(const PlanProblem& problem, const RiskField& risk, const StationPlans& plans, const std::filesystem::path& name,
+               const PictureKinds& kinds) {
   std::vector<DrawnPath> ways;
   for (std::size_t from = 0; from < plans.size(); ++from) {
     for (std::size_t to = from + 1; to < plans.size(); ++to) {
@@ -25,10 +26,10 @@ void draw_ways(const PlanProblem& problem, const RiskField& risk, const StationP
       ways.back().label.clear();
     }
   }
-  PathPictureOptions options = picture_options(problem.query, risk, problem.occupancy.geometry(), png.stem().string());
+  PathPictureOptions options = picture_options(problem.query, risk, problem.occupancy.geometry(), name.filename().string());
   options.start.reset();
   options.goal.reset();
-  draw_paths(problem.alignability, problem.occupancy, ways, options, png);
+  for (const auto& file : picture_files(name, kinds)) draw_paths(problem.alignability, problem.occupancy, ways, options, file);
 }
 
 // Whether there is a way from each station to each.
@@ -57,7 +58,7 @@ int plan_stations(const PlanProblem& problem, const StationsRun& run, const std:
     const std::filesystem::path name = output_name(*run.output);
     write_file(with_ending(name, ".json"), stations_json(stations, plans, seconds).dump(2) + '\n');
     write_stations_csv(stations, plans, with_ending(name, ".csv"));
-    draw_ways(problem, *fields.risk, plans, with_ending(name, ".png"));
+    draw_ways(problem, *fields.risk, plans, name, run.pictures);
   }
   if (run.json) {
     print({stations_json(stations, plans, seconds)});

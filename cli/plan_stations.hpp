@@ -5,6 +5,7 @@
 #include <optional>
 #include <stop_token>
 
+#include "cli/output_name.hpp"
 #include "planner/plan_problem.hpp"
 
 namespace alignability::cli {
@@ -13,6 +14,7 @@ struct StationsRun {
   std::filesystem::path stations;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
 /// Plans between all stations of a file and says what came of it; no, where some way was not found. Throws InputError and Interrupted.

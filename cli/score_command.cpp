@@ -27,14 +27,14 @@ struct Options {
   bool json = false;
 };
 
-void draw(const Scan& scan, const ScoredScan& scored, const std::filesystem::path& file, const std::filesystem::path& png) {
+void draw(const Scan& scan, const ScoredScan& scored, const std::filesystem::path& file, const std::filesystem::path& picture_file) {
   const Alignability& result = scored.alignability;
   ScanPictureOptions picture;
   picture.title = file.filename().string();
   picture.lines = {"α = " + fixed_text(result.alpha, 4),
                    std::to_string(result.planes_kept) + " planes of " + std::to_string(result.points) + " points"};
   if (result.planes_kept > 0) picture.weakest_direction = result.weakest_direction;
-  draw_scan(scan.points, scored.plane_of_point, picture, png);
+  draw_scan(scan.points, scored.plane_of_point, picture, picture_file);
 }
 
 void print_row(const std::filesystem::path& file, const Alignability& score, std::span<const Reading> readings, double seconds) {
@@ -93,7 +93,7 @@ void add_score(CLI::App& app, Work& work) {
   command->add_option("--sensor", options->sensor,
                       "Sensor file: least range, noise, mounts, 2D or 3D (without: 0.5 m, 2 cm, upright, 2D where flat)");
   add_scoring_options(*command, options->alignability);
-  command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a PNG");
+  command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a .png, .svg or .pdf");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Examples:\n"

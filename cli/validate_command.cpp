@@ -4,6 +4,7 @@
 #include "cli/drive_site.hpp"
 #include "cli/interrupt.hpp"
 #include "cli/output_name.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/problem_options.hpp"
 #include "cli/validate_log.hpp"
 #include "cli/validate_output.hpp"
@@ -27,6 +28,7 @@ struct Options {
   int runs = 10;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
 // The shortest way from one waypoint to the next, as a disk goes.
@@ -89,9 +91,9 @@ int run(const Options& options) {
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
     if (options.paths.empty()) {
-      draw_error_maps(validations, problem, paths.front(), name);
+      draw_error_maps(validations, problem, paths.front(), name, options.pictures);
     } else {
-      draw_profiles(validations, paths, *fields.risk, name);
+      draw_profiles(validations, paths, *fields.risk, name, options.pictures);
     }
     write_cells_csv(validations, problem.alignability, with_ending(name, ".csv"));
     write_file(with_ending(name, ".json"), (summaries.size() == 1 ? summaries.front() : Json(summaries)).dump(2) + '\n');
@@ -130,6 +132,7 @@ void add_validate_map(CLI::App& validate, Work& work) {
   add_common_options(*command, *options);
   command->add_option("-o,--output", options->output,
                       "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_…_error.png and NAME_…_scatter.png");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"
       "  alignability validate map maps/warehouse/problem.yaml --waypoints 5,20 55,20 52,10 5,10 --runs 10 -o tour");
@@ -144,6 +147,7 @@ void add_validate_path(CLI::App& validate, Work& work) {
   command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->required();
   add_common_options(*command, *options);
   command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_….png");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"
       "  alignability compare maps/warehouse/problem.yaml -o c\n"

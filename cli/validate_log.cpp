@@ -11,6 +11,7 @@
 #include "cli/json.hpp"
 #include "cli/log_options.hpp"
 #include "cli/output_name.hpp"
+#include "cli/picture_option.hpp"
 #include "cli/progress_bar.hpp"
 #include "cli/scene_options.hpp"
 #include "cli/scoring_options.hpp"
@@ -33,6 +34,7 @@ struct Options {
   std::uint64_t seed = 1;
   bool json = false;
   std::optional<std::filesystem::path> output;
+  PictureKinds pictures;
 };
 
 struct Both {
@@ -83,7 +85,7 @@ std::string csv(const ScanLog& log, const Both& both) {
   return out.str();
 }
 
-void draw(const Both& both, const std::filesystem::path& name) {
+void draw(const Both& both, const std::filesystem::path& name, const PictureKinds& kinds) {
   ScatterSeries equal{.label = "equal", .points = {}, .colour = {0.6, 0.6, 0.6}};
   ScatterSeries scans{.label = "a scan", .points = {}};
   for (std::size_t i = 0; i < both.size(); ++i) scans.points.emplace_back(both.recorded[i].score.alpha, both.simulated[i].score.alpha);
@@ -95,7 +97,7 @@ void draw(const Both& both, const std::filesystem::path& name) {
   const ScatterPanel panel{{.name = "alignability, recorded", .thresholds = thresholds},
                            {.name = "alignability, simulated", .thresholds = thresholds},
                            {equal, scans}};
-  draw_scatter(std::array{panel}, name.filename().string(), with_ending(name, ".png"));
+  for (const auto& file : picture_files(name, kinds)) draw_scatter(std::array{panel}, name.filename().string(), file);
 }
 
 int run(Options options) {
@@ -111,8 +113,9 @@ int run(Options options) {
   if (options.output) {
     const std::filesystem::path name = output_name(*options.output);
     write_file(with_ending(name, ".csv"), csv(log, both));
-    draw(both, name);
-    summary["files"] = {with_ending(name, ".csv").string(), with_ending(name, ".png").string()};
+    draw(both, name, options.pictures);
+    summary["files"] = {with_ending(name, ".csv").string()};
+    for (const auto& file : picture_files(name, options.pictures)) summary["files"].push_back(file.string());
   }
   if (options.json) {
     print({summary});
@@ -142,6 +145,7 @@ void add_validate_log(CLI::App& validate, Work& work) {
   add_scoring_options(*command, options->scoring.alignability);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes NAME.csv and NAME.png");
+  add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"
       "  alignability join scans --trajectory poses.txt --thin 0.05 -o cloud.pcd\n"

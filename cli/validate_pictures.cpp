@@ -21,8 +21,8 @@ std::string title_of(const Validation& validation, const std::filesystem::path& 
   return name.filename().string() + ", " + to_string(validation.localizer);
 }
 
-std::filesystem::path file_of(const Validation& validation, const std::filesystem::path& name, const std::string& ending) {
-  return with_ending(name, std::string("_") + to_string(validation.localizer) + ending);
+std::filesystem::path name_of(const Validation& validation, const std::filesystem::path& name) {
+  return with_ending(name, std::string("_") + to_string(validation.localizer));
 }
 
 Grid<float> error_grid(const Validation& validation, const GridGeometry& cells) {
@@ -38,7 +38,8 @@ std::vector<Eigen::Vector2d> points_of(const Validation& validation, const Grid<
 }
 
 // After the paper's Fig. 4.
-void draw_scatter_of(const Validation& validation, const PlanProblem& problem, const std::filesystem::path& name) {
+void draw_scatter_of(const Validation& validation, const PlanProblem& problem, const std::filesystem::path& name,
+                     const PictureKinds& kinds) {
   const Grid<float>& alpha = problem.alignability.alpha();
   const ChartAxis alpha_axis{.name = "alignability",
                              .thresholds = {{problem.query.risk.alpha_critical, "blind"}, {problem.query.risk.alpha_safe, "safe"}}};
@@ -46,7 +47,9 @@ void draw_scatter_of(const Validation& validation, const PlanProblem& problem, c
   const ChartAxis growth_axis{.name = "growth of the error [m/m]", .thresholds = {{0.0, ""}}};
   const std::array panels{ScatterPanel{alpha_axis, error_axis, {{"", points_of(validation, alpha, &CellErrors::error)}}},
                           ScatterPanel{alpha_axis, growth_axis, {{"", points_of(validation, alpha, &CellErrors::growth)}}}};
-  draw_scatter(panels, title_of(validation, name), file_of(validation, name, "_scatter.png"));
+  for (const auto& file : picture_files(with_ending(name_of(validation, name), "_scatter"), kinds)) {
+    draw_scatter(panels, title_of(validation, name), file);
+  }
 }
 
 ErrorProfile profile_of(const DrivenPath& path, std::size_t localizer, const PathErrors& errors, const RiskField& risk) {
@@ -62,16 +65,18 @@ ErrorProfile profile_of(const DrivenPath& path, std::size_t localizer, const Pat
 }  // namespace
 
 void draw_error_maps(std::span<const Validation> validations, const PlanProblem& problem, const DrivenPath& path,
-                     const std::filesystem::path& name) {
+                     const std::filesystem::path& name, const PictureKinds& kinds) {
   for (const Validation& validation : validations) {
-    draw_error_map(error_grid(validation, problem.alignability.geometry), problem.occupancy, path.path,
-                   {.title = title_of(validation, name)}, file_of(validation, name, "_error.png"));
-    draw_scatter_of(validation, problem, name);
+    const Grid<float> errors = error_grid(validation, problem.alignability.geometry);
+    for (const auto& file : picture_files(with_ending(name_of(validation, name), "_error"), kinds)) {
+      draw_error_map(errors, problem.occupancy, path.path, {.title = title_of(validation, name)}, file);
+    }
+    draw_scatter_of(validation, problem, name, kinds);
   }
 }
 
 void draw_profiles(std::span<const Validation> validations, std::span<const DrivenPath> paths, const RiskField& risk,
-                   const std::filesystem::path& name) {
+                   const std::filesystem::path& name, const PictureKinds& kinds) {
   for (std::size_t i = 0; i < validations.size(); ++i) {
     std::vector<ErrorProfile> profiles;
     for (std::size_t k = 0; k < paths.size(); ++k) {
@@ -82,7 +87,7 @@ void draw_profiles(std::span<const Validation> validations, std::span<const Driv
     }
     ErrorProfileOptions options{.title = title_of(validations[i], name), .risk = risk.options()};
     options.axis.thresholds = {{kLostError, "lost"}};
-    draw_error_profiles(profiles, options, file_of(validations[i], name, ".png"));
+    for (const auto& file : picture_files(name_of(validations[i], name), kinds)) draw_error_profiles(profiles, options, file);
   }
 }
 

@@ -52,7 +52,7 @@ MapLegend legend_of(const ColourScale& colour_of, double limit) {
 }  // namespace
 
 void draw_alignability_difference(const MapComparison& comparison, const GridGeometry& cells, const OccupancyMap& occupancy,
-                                  const std::string& title, const std::filesystem::path& png) {
+                                  const std::string& title, const std::filesystem::path& file) {
   const MapLayout layout = lay_out(view_of(cells, occupancy), title, 0);
   const Page page(layout.width, layout.bottom + kMargin);
   const Context& context = page.context();
@@ -65,7 +65,7 @@ void draw_alignability_difference(const MapComparison& comparison, const GridGeo
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
   draw_map_legend(context, layout.legend, legend_of(colour_of, limit));
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -12,7 +12,7 @@
 namespace alignability {
 
 void draw_alignability_map(const AlignabilityMap& map, const OccupancyMap& occupancy, const MapPictureOptions& options,
-                           const std::filesystem::path& png) {
+                           const std::filesystem::path& file) {
   using namespace detail;
   const std::vector<const Grid<float>*> headings = heading_layers(map);
   const MapLayout layout = lay_out(view_of(map.geometry, occupancy), options.title, headings.empty() ? 0 : 1);
@@ -30,7 +30,7 @@ void draw_alignability_map(const AlignabilityMap& map, const OccupancyMap& occup
     draw_text(context, caption, key_line(layout, options.title, 0), {.anchor = {0.0, 0.5}});
     draw_heading_strip(context, layout.view, headings, occupancy);
   }
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -70,7 +70,7 @@ void draw_key(const Context& context, const Chart& chart, const std::vector<Dist
 
 }  // namespace
 
-void draw_distributions(std::span<const DistributionPanel> panels, const std::string& title, const std::filesystem::path& png) {
+void draw_distributions(std::span<const DistributionPanel> panels, const std::string& title, const std::filesystem::path& file) {
   const auto count = static_cast<double>(panels.size());
   const Page page(kLeft + count * kPanelWidth + std::max(0.0, count - 1.0) * kBetween + 40.0, kTop + kPanelHeight + kBelowFrame + kMargin);
   const Context& context = page.context();
@@ -83,7 +83,7 @@ void draw_distributions(std::span<const DistributionPanel> panels, const std::st
     draw_key(context, chart, panel.curves);
     left += kPanelWidth + kBetween;
   }
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -24,7 +24,8 @@ struct DistributionPanel {
   double from = 0.0;  ///< where its axis starts, unless a value lies below
 };
 
-/// Draws cumulative distributions, a panel beside the other. Throws InputError when the file cannot be written.
-void draw_distributions(std::span<const DistributionPanel> panels, const std::string& title, const std::filesystem::path& png);
+/// Draws cumulative distributions, a panel beside the other. Throws InputError when the file is not named .png, .svg or .pdf, or cannot be
+/// written.
+void draw_distributions(std::span<const DistributionPanel> panels, const std::string& title, const std::filesystem::path& file);
 
 }  // namespace alignability

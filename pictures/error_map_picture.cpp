@@ -67,7 +67,7 @@ MapLegend legend_of(const ErrorMapOptions& options, const ColourScale& colour_of
 }  // namespace
 
 void draw_error_map(const Grid<float>& error, const OccupancyMap& occupancy, std::span<const Pose2> route, const ErrorMapOptions& options,
-                    const std::filesystem::path& png) {
+                    const std::filesystem::path& file) {
   if (!kPositive.contains(options.limit)) throw std::invalid_argument("the limit of an error map must be positive");
   const MapLayout layout = lay_out(view_of(error.geometry(), occupancy), options.title, 0);
   const Page page(layout.width, layout.bottom + kMargin);
@@ -80,7 +80,7 @@ void draw_error_map(const Grid<float>& error, const OccupancyMap& occupancy, std
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
   draw_map_legend(context, layout.legend, legend_of(options, colour_of, route));
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -20,8 +20,8 @@ struct ErrorMapOptions {
 /// Draws a localization error per cell [m], NaN = not driven through and grey, from pale yellow at 0 over red to dark violet at the limit,
 /// the walls in dark grey, and the route that was driven as a thin line; without poses there is none. Poses that are not finite leave a
 /// gap. Its size is that of `draw_alignability_map`. Throws std::invalid_argument unless the limit is positive and finite, InputError
-/// when the file cannot be written.
+/// when the file is not named .png, .svg or .pdf, or cannot be written.
 void draw_error_map(const Grid<float>& error, const OccupancyMap& occupancy, std::span<const Pose2> route, const ErrorMapOptions& options,
-                    const std::filesystem::path& png);
+                    const std::filesystem::path& file);
 
 }  // namespace alignability

@@ -117,7 +117,7 @@ void draw_errors(const Context& context, const Chart& chart, std::span<const Err
 
 }  // namespace
 
-void draw_error_profiles(std::span<const ErrorProfile> profiles, const ErrorProfileOptions& options, const std::filesystem::path& png) {
+void draw_error_profiles(std::span<const ErrorProfile> profiles, const ErrorProfileOptions& options, const std::filesystem::path& file) {
   const std::vector<DrawnPath> paths = paths_with_alpha(profiles);
   const double key_top = kMargin + (options.title.empty() ? 0.0 : kTitleHeight);
   const double top = key_top + (static_cast<double>(profiles.size()) + 1.0) * kKeyPitch + kKeyGap;
@@ -143,7 +143,7 @@ void draw_error_profiles(std::span<const ErrorProfile> profiles, const ErrorProf
     draw_upper_chart(context, chart, options.axis.name);
     draw_profiles(context, panel, paths, longest, options.risk);
   }
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -34,7 +34,7 @@ struct ErrorProfileOptions {
 };
 
 /// Draws the mean error along each path and a band from it up to the 95th percentile, and below it α along each path on the same axis of
-/// arc length, unless no profile has α. Throws InputError when the file cannot be written.
-void draw_error_profiles(std::span<const ErrorProfile> profiles, const ErrorProfileOptions& options, const std::filesystem::path& png);
+/// arc length, unless no profile has α. Throws InputError when the file is not named .png, .svg or .pdf, or cannot be written.
+void draw_error_profiles(std::span<const ErrorProfile> profiles, const ErrorProfileOptions& options, const std::filesystem::path& file);
 
 }  // namespace alignability

@@ -88,19 +88,25 @@ template <typename Pixel>
 class Raster {
  public:
   Raster(const View& view, Cairo::Surface::Format format)
-      : surface_(Cairo::ImageSurface::create(format, static_cast<int>(view.frame.width), static_cast<int>(view.frame.height))) {
+      : frame_(view.frame),
+        surface_(Cairo::ImageSurface::create(format, static_cast<int>(view.frame.width), static_cast<int>(view.frame.height))) {
     surface_->flush();
   }
   void set(std::size_t column, std::size_t row, Pixel pixel) {
     unsigned char* line = surface_->get_data() + row * static_cast<std::size_t>(surface_->get_stride());
     reinterpret_cast<Pixel*>(line)[column] = pixel;
   }
-  const Cairo::RefPtr<Cairo::ImageSurface>& finished() {
+  // In its place on the page, and with sharp pixels where the page is enlarged.
+  Cairo::RefPtr<Cairo::SurfacePattern> finished() {
     surface_->mark_dirty();
-    return surface_;
+    const auto pattern = Cairo::SurfacePattern::create(surface_);
+    pattern->set_matrix(Cairo::translation_matrix(-frame_.left, -frame_.top));
+    pattern->set_filter(Cairo::SurfacePattern::Filter::NEAREST);
+    return pattern;
   }
 
  private:
+  Rectangle frame_;
   Cairo::RefPtr<Cairo::ImageSurface> surface_;
 };
 
@@ -117,7 +123,7 @@ void draw_values(const Context& context, const View& view, const Grid<float>& va
       if (!std::isnan(value)) raster.set(column, row, opaque_pixel(colour_of(value)));
     }
   }
-  context->set_source(raster.finished(), view.frame.left, view.frame.top);
+  context->set_source(raster.finished());
   context->paint();
 }
 
@@ -137,9 +143,9 @@ void draw_occupancy(const Context& context, const View& view, const OccupancyMap
   context->push_group();
   paint_hatch(context, view.frame);
   context->pop_group_to_source();
-  context->mask(unknown.finished(), view.frame.left, view.frame.top);
+  context->mask(unknown.finished());
   set_colour(context, wall_colour(tone));
-  context->mask(walls.finished(), view.frame.left, view.frame.top);
+  context->mask(walls.finished());
 }
 
 void draw_map(const Context& context, const View& view, const Grid<float>& values, const ColourScale& colour_of,

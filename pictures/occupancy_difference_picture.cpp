@@ -67,7 +67,7 @@ void draw_key_line(const Context& context, const MapLayout& layout, const Eigen:
 }  // namespace
 
 void draw_occupancy_difference(const OccupancyDifference& difference, const DifferencePictureOptions& options,
-                               const std::filesystem::path& png) {
+                               const std::filesystem::path& file) {
   const GridGeometry& geometry = difference.cells.geometry();
   const auto key = key_of(options);
   const MapLayout layout = lay_out(view_of(geometry), options.title, key.size(), 0.0);
@@ -85,7 +85,7 @@ void draw_occupancy_difference(const OccupancyDifference& difference, const Diff
   }
   draw_axes(context, layout.view, kMapAxes);
   draw_scale_bar(context, layout.view);
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

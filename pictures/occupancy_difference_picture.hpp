@@ -16,8 +16,8 @@ struct DifferencePictureOptions {
 
 /// Draws how two maps agree, x to the right and y up: white where both are free, black where both are occupied, pale green where they
 /// differ by no more than a cell, red where the first alone is occupied, blue where the second alone is, grey where one knows nothing.
-/// Throws InputError when the file cannot be written.
+/// Throws InputError when the file is not named .png, .svg or .pdf, or cannot be written.
 void draw_occupancy_difference(const OccupancyDifference& difference, const DifferencePictureOptions& options,
-                               const std::filesystem::path& png);
+                               const std::filesystem::path& file);
 
 }  // namespace alignability

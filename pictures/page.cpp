@@ -5,13 +5,26 @@
 #include <string>
 
 #include "core/file.hpp"
+#include "core/input_error.hpp"
 #include "pictures/colour_map.hpp"
+#include "pictures/finished_svg.hpp"
 
 namespace alignability::detail {
+namespace {
+
+Cairo::Surface::SlotWriteFunc appending_to(std::string& bytes) {
+  return [&bytes](const unsigned char* data, unsigned int length) {
+    bytes.append(reinterpret_cast<const char*>(data), length);
+    return CAIRO_STATUS_SUCCESS;
+  };
+}
+
+}  // namespace
 
 Page::Page(double width, double height)
-    : surface_(Cairo::ImageSurface::create(Cairo::Surface::Format::RGB24, static_cast<int>(std::ceil(width)),
-                                           static_cast<int>(std::ceil(height)))),
+    : width_(std::ceil(width)),
+      height_(std::ceil(height)),
+      surface_(Cairo::RecordingSurface::create(Cairo::Rectangle{0.0, 0.0, width_, height_})),
       context_(Cairo::Context::create(surface_)) {
   set_colour(context_, kWhite);
   context_->paint();
@@ -23,13 +36,45 @@ Page::Page(double width, double height)
   context_->set_font_options(font);
 }
 
-void Page::save(const std::filesystem::path& png) const {
+void Page::save(const std::filesystem::path& file) const {
+  const std::string extension = file.extension().string();
+  if (extension == ".png") return write_file(file, png());
+  if (extension == ".svg") return write_file(file, svg());
+  if (extension == ".pdf") return write_file(file, pdf());
+  throw InputError(file, "a picture's name ends in .png, .svg or .pdf");
+}
+
+std::string Page::png() const {
+  const auto image = Cairo::ImageSurface::create(Cairo::Surface::Format::RGB24, static_cast<int>(width_), static_cast<int>(height_));
+  copy_to(image);
   std::string bytes;
-  surface_->write_to_png_stream([&bytes](const unsigned char* data, unsigned int length) {
-    bytes.append(reinterpret_cast<const char*>(data), length);
-    return CAIRO_STATUS_SUCCESS;
-  });
-  write_file(png, bytes);
+  image->write_to_png_stream(appending_to(bytes));
+  return bytes;
+}
+
+std::string Page::svg() const {
+  std::string bytes;
+  const auto sheet = Cairo::SvgSurface::create_for_stream(appending_to(bytes), width_, height_);
+  cairo_svg_surface_set_document_unit(sheet->cobj(), CAIRO_SVG_UNIT_PX);
+  copy_to(sheet);
+  sheet->finish();
+  return finished_svg(bytes);
+}
+
+std::string Page::pdf() const {
+  std::string bytes;
+  const auto sheet = Cairo::PdfSurface::create_for_stream(appending_to(bytes), width_, height_);
+  // The time of day would make other bytes of the same picture.
+  cairo_pdf_surface_set_metadata(sheet->cobj(), CAIRO_PDF_METADATA_CREATE_DATE, "1970-01-01T00:00:00Z");
+  copy_to(sheet);
+  sheet->finish();
+  return bytes;
+}
+
+void Page::copy_to(const Cairo::RefPtr<Cairo::Surface>& sheet) const {
+  const Context context = Cairo::Context::create(sheet);
+  context->set_source(surface_, 0.0, 0.0);
+  context->paint();
 }
 
 void set_colour(const Context& context, const Colour& colour) { context->set_source_rgb(colour.red, colour.green, colour.blue); }

@@ -4,6 +4,7 @@
 #include <cairomm/cairomm.h>
 
 #include <filesystem>
+#include <string>
 
 #include "pictures/colour.hpp"
 
@@ -22,17 +23,25 @@ struct Rectangle {
   double bottom() const { return top + height; }
 };
 
-/// A white sheet to draw on, to be saved as a PNG.
+/// A white sheet to draw on.
 class Page {
  public:
   Page(double width, double height);
 
   const Context& context() const { return context_; }
-  /// Throws InputError when the file cannot be written; then what stood there stays.
-  void save(const std::filesystem::path& png) const;
+  /// A PNG, an SVG or a PDF, as the name's extension says; the same drawing gives the same bytes. Throws InputError when it says none of
+  /// these or the file cannot be written; then what stood there stays.
+  void save(const std::filesystem::path& file) const;
 
  private:
-  Cairo::RefPtr<Cairo::ImageSurface> surface_;
+  std::string png() const;
+  std::string svg() const;
+  std::string pdf() const;
+  void copy_to(const Cairo::RefPtr<Cairo::Surface>& sheet) const;
+
+  double width_;   // [px], whole
+  double height_;  // [px], whole
+  Cairo::RefPtr<Cairo::RecordingSurface> surface_;
   Context context_;
 };
 

@@ -66,7 +66,7 @@ Colour route_colour(std::size_t number) {
 }
 
 void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
-                const PathPictureOptions& options, const std::filesystem::path& png) {
+                const PathPictureOptions& options, const std::filesystem::path& file) {
   const std::vector<DrawnPath> keyed = chosen(paths, [](const DrawnPath& path) { return !path.label.empty(); });
   const std::vector<DrawnPath> in_panel = chosen(keyed, [](const DrawnPath& path) { return !path.poses.empty(); });
   const std::size_t key_lines = paths.empty() ? 0 : keyed.size() + 1;
@@ -87,7 +87,7 @@ void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::
   draw_scale_bar(context, layout.view);
   draw_map_legend(context, layout.legend, legend);
   if (!in_panel.empty()) draw_profiles(context, panel, in_panel, longest_profile(in_panel), options.risk);
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -53,8 +53,8 @@ struct PathPictureOptions {
 
 /// Draws paths over a pale alignability map, or one of the risk, blue where there is none and red where it is greatest; blind stretches in
 /// a red halo, and below it α along each path. Blind is α below `risk.alpha_critical`, and unknown α under `UnknownPolicy::risky`. What
-/// lies beyond the maps is cut off. Throws InputError when the file cannot be written.
+/// lies beyond the maps is cut off. Throws InputError when the file is not named .png, .svg or .pdf, or cannot be written.
 void draw_paths(const AlignabilityMap& map, const OccupancyMap& occupancy, std::span<const DrawnPath> paths,
-                const PathPictureOptions& options, const std::filesystem::path& png);
+                const PathPictureOptions& options, const std::filesystem::path& file);
 
 }  // namespace alignability

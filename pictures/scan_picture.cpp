@@ -94,6 +94,14 @@ Drawing drawing_of(std::span<const Eigen::Vector3f> points, std::span<const int>
   return drawing;
 }
 
+// A square, once it is stroked.
+void add_point(const Context& context, const View& view, const Eigen::Vector3d& point) {
+  if (!point.allFinite()) return;
+  const Eigen::Vector2d at = view.to_pixel(point.head<2>());
+  context->move_to(at.x() - 0.5 * kPointSide, at.y());
+  context->line_to(at.x() + 0.5 * kPointSide, at.y());
+}
+
 // The points of no plane lowest, then the planes from the largest to the smallest, so that a floor hides no wall.
 void draw_points(const Context& context, const View& view, const Drawing& drawing) {
   std::vector<std::size_t> order(drawing.points.size());
@@ -102,11 +110,13 @@ void draw_points(const Context& context, const View& view, const Drawing& drawin
   context->save();
   add_rectangle(context, view.frame);
   context->clip();
-  for (const std::size_t i : order) {
-    if (!drawing.points[i].allFinite()) continue;
-    const Eigen::Vector2d at = view.to_pixel(drawing.points[i].head<2>());
-    const Colour colour = colour_of(drawing.rank_of_point[i]);
-    fill_rectangle(context, {at.x() - 0.5 * kPointSide, at.y() - 0.5 * kPointSide, kPointSide, kPointSide}, colour);
+  context->set_line_width(kPointSide);
+  // The points of a plane are one stroke of as many squares: one by one, they would fill five times as much of an SVG.
+  for (auto plane = order.begin(); plane != order.end();) {
+    const std::size_t rank = drawing.rank_of_point[*plane];
+    set_colour(context, colour_of(rank));
+    for (; plane != order.end() && drawing.rank_of_point[*plane] == rank; ++plane) add_point(context, view, drawing.points[*plane]);
+    context->stroke();
   }
   context->restore();
 }
@@ -225,7 +235,7 @@ void draw_legend(const Context& context, const Rectangle& area, const Drawing& d
 }  // namespace
 
 void draw_scan(std::span<const Eigen::Vector3f> points, std::span<const int> plane_of_point, const ScanPictureOptions& options,
-               const std::filesystem::path& png) {
+               const std::filesystem::path& file) {
   if (points.size() != plane_of_point.size()) throw std::invalid_argument("a scan's picture needs one plane per point");
   if (options.range && !kPositive.contains(*options.range)) throw std::invalid_argument("a scan's picture needs a positive range");
   const Drawing drawing = drawing_of(points, plane_of_point, options);
@@ -244,7 +254,7 @@ void draw_scan(std::span<const Eigen::Vector3f> points, std::span<const int> pla
   draw_axes(context, layout.view, options.T_map_lidar ? kMapAxes : AxisNames{"x, forward [m]", "y, left [m]"});
   draw_scale_bar(context, layout.view);
   draw_legend(context, layout.legend, drawing, options);
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

@@ -32,8 +32,9 @@ inline constexpr std::size_t kNamedPlanes = 12;
 
 /// Draws a scan from above: in its own frame x, forward, is to the right and y, left, up; in `map` they are what they are there. The sensor
 /// is in the middle. Points take the colour of their plane, given by number from 0, -1 = none; those that are not finite are passed over.
-/// Throws std::invalid_argument unless there is one plane per point and `range` is positive, InputError when the file cannot be written.
+/// Throws std::invalid_argument unless there is one plane per point and `range` is positive, InputError when the file is not named .png,
+/// .svg or .pdf, or cannot be written.
 void draw_scan(std::span<const Eigen::Vector3f> points, std::span<const int> plane_of_point, const ScanPictureOptions& options,
-               const std::filesystem::path& png);
+               const std::filesystem::path& file);
 
 }  // namespace alignability

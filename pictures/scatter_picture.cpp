@@ -74,7 +74,7 @@ void draw_panel(const Context& context, const Rectangle& frame, const ScatterPan
 
 }  // namespace
 
-void draw_scatter(std::span<const ScatterPanel> panels, const std::string& title, const std::filesystem::path& png) {
+void draw_scatter(std::span<const ScatterPanel> panels, const std::string& title, const std::filesystem::path& file) {
   std::size_t labels = 0;
   for (const ScatterPanel& panel : panels) labels = std::max(labels, labels_of(panel));
   const double top = kTitleHeight + kKeyPitch * static_cast<double>(labels) + kNotesHeight;
@@ -90,7 +90,7 @@ void draw_scatter(std::span<const ScatterPanel> panels, const std::string& title
     draw_panel(context, {left, top, kPanelWidth, kPanelHeight}, panel);
     left += kPanelWidth + kBetween;
   }
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

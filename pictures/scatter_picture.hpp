@@ -26,7 +26,7 @@ struct ScatterPanel {
 };
 
 /// Draws a small translucent dot a point, the first series lowest, a panel beside the other. On a logarithmic axis what is not above 0 lies
-/// at its lower end. O(points). Throws InputError when the file cannot be written.
-void draw_scatter(std::span<const ScatterPanel> panels, const std::string& title, const std::filesystem::path& png);
+/// at its lower end. O(points). Throws InputError when the file is not named .png, .svg or .pdf, or cannot be written.
+void draw_scatter(std::span<const ScatterPanel> panels, const std::string& title, const std::filesystem::path& file);
 
 }  // namespace alignability

@@ -77,7 +77,7 @@ void draw_mark(const Context& context, const Rectangle& frame, const Mark& mark)
 
 }  // namespace
 
-void draw_trade_off(std::span<const TradeOffPoint> points, const std::string& title, const std::filesystem::path& png) {
+void draw_trade_off(std::span<const TradeOffPoint> points, const std::string& title, const std::filesystem::path& file) {
   const Chart chart{{90.0, 90.0, 720.0, 460.0}, span_of_lengths(points), span_from_zero(most_blind(points))};
   const Page page(chart.frame.right() + 40.0, chart.frame.bottom() + kBelowFrame + kMargin);
   const Context& context = page.context();
@@ -86,7 +86,7 @@ void draw_trade_off(std::span<const TradeOffPoint> points, const std::string& ti
   draw_chart(context, chart, {"length of the path [m]", "driven blind [m]"});
   draw_curve(context, chart, points);
   for (const Mark& mark : marks_of(chart, points)) draw_mark(context, chart.frame, mark);
-  page.save(png);
+  page.save(file);
 }
 
 }  // namespace alignability

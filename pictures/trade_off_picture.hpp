@@ -15,7 +15,7 @@ struct TradeOffPoint {
 };
 
 /// Draws blind metres against length, a point a weight, joined in the order given. Weights that share a point share a label.
-/// Throws InputError when the file cannot be written.
-void draw_trade_off(std::span<const TradeOffPoint> points, const std::string& title, const std::filesystem::path& png);
+/// Throws InputError when the file is not named .png, .svg or .pdf, or cannot be written.
+void draw_trade_off(std::span<const TradeOffPoint> points, const std::string& title, const std::filesystem::path& file);
 
 }  // namespace alignability

@@ -79,6 +79,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"map --scene a --occupancy b --sensor c -o x --readings robust,sturdy",
               "alignability: --readings: sturdy not in {centred,voxel,robust,information}"},
         Fault{"scan --scene a --sensor b -o x --at 1,2,0 --floor nan", "alignability: --floor: must be a finite number, not nan"},
+        Fault{"plan a.yaml -o b --pictures jpg", "alignability: --pictures: jpg not in {png,svg,pdf}"},
+        Fault{"plan a.yaml --pictures svg", "alignability: --pictures requires --output"},
         Fault{"score a.pcd b.pcd --picture x.png", "alignability: --picture draws one scan; give one"}));
 
 INSTANTIATE_TEST_SUITE_P(

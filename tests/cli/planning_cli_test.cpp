@@ -29,6 +29,21 @@ TEST_F(PlanningCli, ComparesOverWeights) {
   EXPECT_EQ(compare["curve"][3]["cost"], compare["risk_aware"]["cost"]);
 }
 
+TEST_F(PlanningCli, DrawsWhatKindsOfPicturesAreAskedFor) {
+  make_maps();
+  ASSERT_EQ(run({"compare", "problem.yaml", "--weights", "1", "-o", "both", "--pictures", "svg,pdf"}).exit_code, 0);
+  for (const std::string name : {"both", "both_curve"}) {
+    EXPECT_TRUE(bytes(name + ".svg").starts_with("<?xml")) << name;
+    EXPECT_TRUE(bytes(name + ".pdf").starts_with("%PDF-")) << name;
+    EXPECT_FALSE(exists(name + ".png")) << name;
+  }
+  ASSERT_EQ(run({"plan", "--pictures", "svg", "problem.yaml", "-o", "route.svg"}).exit_code, 0);
+  EXPECT_TRUE(exists("route.svg") && exists("route.json"));
+  const json map = json::parse(run(test::kMap, {"--json", "--pictures", "png,pdf"}).out);
+  EXPECT_EQ(map["files"], (json{"alignability.yaml", "alignability.tiff", "alignability.png", "alignability.pdf"}));
+  EXPECT_TRUE(exists("alignability.pdf"));
+}
+
 TEST_F(PlanningCli, ComparesOverLimitsOfBlindMetres) {
   make_maps();
   const std::vector<std::string> command{"compare", "problem.yaml", "--blind-limits", "0,50,50"};
