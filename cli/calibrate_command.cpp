@@ -169,19 +169,21 @@ int run(const Options& options) {
 void add_calibrate(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("calibrate", "Fit how far off a localizer is to how alignable its way was, for plan --max-error");
-  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->required();
+  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->type_name("YAML")->required();
   command
       ->add_option("paths", options->paths,
                    "Paths (CSV) to drive and to fit the model to, blind stretches and rich ones; of another site after its problem file")
+      ->type_name("FILE")
       ->required();
-  command->add_option("--held-out", options->held_out,
-                      "Further paths, likewise, driven to see how the model fares where it was not fitted");
-  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
-  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
+  command->add_option("--held-out", options->held_out, "Further paths, likewise, driven to see how the model fares where it was not fitted")
+      ->type_name("FILE");
+  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
+  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
   command->add_option("--runs", options->runs, "Drives of each path")->check(CLI::Range(1, 100'000))->capture_default_str();
   add_drive_options(*command, options->drive);
   command->add_flag("--json", options->json, "Print JSON");
   command->add_option("-o,--output", options->output, "NAME: writes the alignability map with its error model, NAME.yaml and NAME.tiff")
+      ->type_name("NAME")
       ->required();
   command->footer(
       "Examples:\n"

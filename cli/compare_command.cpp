@@ -202,10 +202,12 @@ void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
           ->check(CLI::Range(1, 100'000));
   for (CLI::Option* option : add_drive_options(*command, options->drive)) option->needs(drives);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output,
-                      "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
-                      "NAME_limits.png with --blind-limits; "
-                      "NAME.json, NAME.png and NAME.csv with --pairs");
+  command
+      ->add_option("-o,--output", options->output,
+                   "NAME: writes NAME.json, NAME.png, NAME_shortest.csv and NAME_risk_aware.csv; NAME_curve.png with --weights; "
+                   "NAME_limits.png with --blind-limits; "
+                   "NAME.json, NAME.png and NAME.csv with --pairs")
+      ->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"

@@ -79,9 +79,9 @@ void add_compare_maps(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("compare-maps", "Compare two alignability maps of one site, and tell whether the second reads lower");
-  command->add_option("first", options->first, "Alignability map: what is known of the site")->required();
-  command->add_option("second", options->second, "Alignability map: a live log, or the site after a change")->required();
-  command->add_option("--occupancy", options->occupancy, "Occupancy map (map_server YAML), for the picture's walls");
+  command->add_option("first", options->first, "Alignability map: what is known of the site")->type_name("YAML")->required();
+  command->add_option("second", options->second, "Alignability map: a live log, or the site after a change")->type_name("YAML")->required();
+  command->add_option("--occupancy", options->occupancy, "Occupancy map (map_server YAML), for the picture's walls")->type_name("YAML");
   MapComparisonOptions& comparison = options->comparison;
   command->add_option("--alpha-critical", comparison.alpha_critical, "Below it a place is blind")
       ->check(CLI::Range(0.0, 1.0))
@@ -94,7 +94,7 @@ void add_compare_maps(CLI::App& app, Work& work) {
       ->capture_default_str();
   command->add_option("--worst", options->worst, "How many cells to list, the greatest fall first")->capture_default_str();
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.png, the difference drawn, and NAME.json");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.png, the difference drawn, and NAME.json")->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"

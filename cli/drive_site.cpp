@@ -45,8 +45,10 @@ std::vector<Eigen::Vector3f> map_cloud(const Scene& scene, const OccupancyMap& o
 
 std::vector<CLI::Option*> add_drive_options(CLI::App& command, DriveSiteOptions& options) {
   const std::size_t before = command.get_options().size();
-  command.add_option("--drive-file", options.file, "What drives and how it is localized, in place of the problem's file");
+  command.add_option("--drive-file", options.file, "What drives and how it is localized, in place of the problem's file")
+      ->type_name("YAML");
   command.add_option("--localizer", options.localizers, "In place of the file's: ndt_mcl_sum, ndt_mcl_product, scan_matching, or several")
+      ->type_name("LOCALIZER")
       ->delimiter(',');
   command.add_option("--odometry-bias", options.scale_bias, "Share by which odometry reports the way too long, in place of the file's")
       ->check(CLI::Range(-0.5, 0.5));

@@ -7,7 +7,6 @@
 #include "cli/output_name.hpp"
 #include "cli/picture_option.hpp"
 #include "cli/problem_options.hpp"
-#include "core/range.hpp"
 #include "planner/route_file.hpp"
 
 namespace alignability::cli {
@@ -60,17 +59,20 @@ int run(const Options& options) {
 void add_evaluate(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("evaluate", "Score a route or lanes that exist, as a planned path is scored");
-  command->add_option("route", options->route, "A path (CSV), a nav2 route graph (GeoJSON) or a VDA 5050 layout (LIF)")->required();
-  command->add_option("--problem", options->problem.file, "Problem file: maps, robot and risk are taken from it")->required();
-  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
-  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
-  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")
-      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
-  command->add_option("--nodes", options->nodes, "Score the path along these nodes of a graph: 3,7,12")->delimiter(',');
-  command->add_option("--vehicle", options->file.vehicle, "Vehicle type of a LIF file, where they drive differently");
-  command->add_option("--map-id", options->file.map, "Map of a LIF file, where it has several");
+  command->add_option("route", options->route, "A path (CSV), a nav2 route graph (GeoJSON) or a VDA 5050 layout (LIF)")
+      ->type_name("FILE")
+      ->required();
+  command->add_option("--problem", options->problem.file, "Problem file: maps, robot and risk are taken from it")
+      ->type_name("YAML")
+      ->required();
+  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
+  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
+  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+  command->add_option("--nodes", options->nodes, "Score the path along these nodes of a graph: 3,7,12")->type_name("NODE")->delimiter(',');
+  command->add_option("--vehicle", options->file.vehicle, "Vehicle type of a LIF file, where they drive differently")->type_name("TYPE");
+  command->add_option("--map-id", options->file.map, "Map of a LIF file, where it has several")->type_name("ID");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png")->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"

@@ -299,17 +299,17 @@ void add_explain(CLI::App& app, Work& work) {
       ->required()
       ->expected(2, 3)
       ->delimiter(',');
-  command->add_option("--problem", options->problem, "Problem file that names scene, sensor, range_max and maps");
-  command->add_option("--scene", options->scene, kSiteHelp);
-  command->add_option("--sensor", options->sensor, "Sensor file");
+  command->add_option("--problem", options->problem, "Problem file that names scene, sensor, range_max and maps")->type_name("YAML");
+  command->add_option("--scene", options->scene, kSiteHelp)->type_name("FILE");
+  command->add_option("--sensor", options->sensor, "Sensor file")->type_name("YAML");
   command->add_option("--range-max", options->range_max, "Drop returns beyond [m]")->check(CLI::PositiveNumber);
-  command->add_option("--map", options->occupancy, "Occupancy map: refuses a place that is not free, and is drawn");
-  command->add_option("--alignability", options->alignability, "Alignability map, whose value is told beside");
+  command->add_option("--map", options->occupancy, "Occupancy map: refuses a place that is not free, and is drawn")->type_name("YAML");
+  command->add_option("--alignability", options->alignability, "Alignability map, whose value is told beside")->type_name("YAML");
   command->add_option("--floor", options->floor, "Height of base_link in map [m]")->capture_default_str();
   command->add_option("--seed", options->seed, "Seed of the range noise")->capture_default_str();
   add_scoring_options(*command, options->scoring);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json and NAME.png, the scan from above");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json and NAME.png, the scan from above")->type_name("NAME");
   add_site_options(*command, options->reading);
   add_picture_option(*command, options->pictures);
   command->footer(

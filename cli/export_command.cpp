@@ -140,12 +140,11 @@ int run(const Options& options) {
 void add_export(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("export", "Write a problem's risk, its alignability map and paths for other programs");
-  command->add_option("problem", options->problem.file, "Problem file")->required();
-  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them");
-  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
-  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
-  command->add_option("--weight", options->problem.weight, "Weight of the risk in place of the problem's")
-      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+  command->add_option("problem", options->problem.file, "Problem file")->type_name("YAML")->required();
+  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->type_name("CSV");
+  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
+  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
+  command->add_option("--weight", options->problem.weight, "Weight of the risk in place of the problem's")->check(CLI::Range(kCostWeights.min, kCostWeights.max));
   command->add_flag("--json", options->json, "Print JSON");
   command
       ->add_option(
@@ -153,6 +152,7 @@ void add_export(CLI::App& app, Work& work) {
           "NAME: writes NAME_mask.yaml and .pgm, a filter mask for nav2, NAME_nav2.yaml, the parameters that go with it, NAME_cells.csv, "
           "NAME_map.yaml, .tiff and .tfw, the map with a world file, and of each path NAME_path_PATH.yaml (nav_msgs/Path) and "
           ".geojson")
+      ->type_name("NAME")
       ->required();
   command->footer(
       "Examples:\n"

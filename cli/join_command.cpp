@@ -56,15 +56,17 @@ int run(Options options) {
 void add_join(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("join", "Join the scans of a log by their poses into one point cloud in map");
-  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")->required();
+  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")
+      ->type_name("PATH")
+      ->required();
   add_log_options(*command, options->log);
-  command->add_option("--sensor", options->sensor, "Sensor file: least range and mount");
+  command->add_option("--sensor", options->sensor, "Sensor file: least range and mount")->type_name("YAML");
   command->add_option("--range-min", options->range_min, "Drop nearer returns: the robot's own, and fillers (without --sensor 0.5) [m]")
       ->check(CLI::NonNegativeNumber);
   command->add_option("--range-max", options->join.range_max, "Drop farther returns [m]")->check(CLI::PositiveNumber);
   command->add_option("--thin", options->join.thinning, "Thin to about a point in each cube of this side [m]")->check(CLI::PositiveNumber);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "CLOUD.pcd")->required();
+  command->add_option("-o,--output", options->output, "CLOUD.pcd")->type_name("FILE")->required();
   command->footer(
       "Examples:\n"
       "  alignability join scans --trajectory poses.txt -o cloud.pcd\n"

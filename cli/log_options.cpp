@@ -23,7 +23,8 @@ CLI::IsMember names_of(const std::map<std::string, Value>& values) {
 }  // namespace
 
 void add_log_options(CLI::App& command, LogOptions& options) {
-  command.add_option("--trajectory", options.trajectory, "Poses of the scans, TUM or KITTI, one a line; # before comments");
+  command.add_option("--trajectory", options.trajectory, "Poses of the scans, TUM or KITTI, one a line; # before comments")
+      ->type_name("FILE");
   command
       .add_option_function<std::string>(
           "--pair-by", [&options](const std::string& name) { options.reading.pairing = kPairings.at(name); },

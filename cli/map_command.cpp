@@ -27,14 +27,17 @@ void add_options_of_scenes(CLI::App& command, MapCommandOptions& options) {
   command.add_option("--seed", options.map.seed, "Seed of places and range noise")->capture_default_str();
   command.add_option("--cells", options.cells, "Build these cells alone: column,row from the lower left, from 0")->delimiter(',');
   command.add_option("--polygon", options.polygon, "Build the cells alone that a polygon meets: x,y x,y x,y … [m]")->delimiter(',');
-  command.add_option("--update", options.update, "Alignability map, made alike, to take the other cells from");
+  command.add_option("--update", options.update, "Alignability map, made alike, to take the other cells from")->type_name("YAML");
   add_site_options(command, options.reading);
 }
 
 void add_options_of_both(CLI::App& command, MapCommandOptions& options) {
-  command.add_option("--occupancy", options.occupancy,
-                     "Occupancy map (map_server YAML), whose grid the cells have; of a log without it, a grid around its scans");
-  command.add_option("--sensor", options.sensor, "Sensor file; of a log for least range, noise and mount (without: 0.5 m, 2 cm, none)");
+  command
+      .add_option("--occupancy", options.occupancy,
+                  "Occupancy map (map_server YAML), whose grid the cells have; of a log without it, a grid around its scans")
+      ->type_name("YAML");
+  command.add_option("--sensor", options.sensor, "Sensor file; of a log for least range, noise and mount (without: 0.5 m, 2 cm, none)")
+      ->type_name("YAML");
   command.add_option("--resolution", options.map.resolution, "Side of a cell [m]")->check(CLI::PositiveNumber)->capture_default_str();
   command.add_option("--range-max", options.map.range_max, "Crop the sensor's range [m]")->check(CLI::PositiveNumber);
   command.add_option("--threads", options.map.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
@@ -82,12 +85,14 @@ void add_map(CLI::App& app, Work& work) {
   const auto options = std::make_shared<MapCommandOptions>();
   CLI::App* command = app.add_subcommand("map", "Build the alignability map of a site, from a scene or from recorded scans");
   const CLI::Option* scene =
-      command->add_option("--scene", options->scene, "SDF world or model, mesh, or point cloud, to simulate scans in");
+      command->add_option("--scene", options->scene, "SDF world or model, mesh, or point cloud, to simulate scans in")->type_name("FILE");
   const CLI::Option* log =
-      command->add_option("--log", options->log.folder, "Or a folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf");
+      command->add_option("--log", options->log.folder, "Or a folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")
+          ->type_name("PATH");
   add_log_options(*command, options->log);
-  const CLI::Option* merge =
-      command->add_option("--merge", options->merge, "Or two maps, to be one: a log's values win, else the first's")->expected(2);
+  const CLI::Option* merge = command->add_option("--merge", options->merge, "Or two maps, to be one: a log's values win, else the first's")
+                                 ->type_name("YAML")
+                                 ->expected(2);
   add_options_of_both(*command, *options);
   add_options_of_scenes(*command, *options);
   command->add_flag("--json", options->json, "Print JSON");
@@ -95,6 +100,7 @@ void add_map(CLI::App& app, Work& work) {
       ->add_option("-o,--output", options->output,
                    "NAME: writes NAME.yaml, NAME.tiff and NAME.png; of a log NAME.csv too, a line a scan; of a scene NAME.part keeps what "
                    "is done until then")
+      ->type_name("NAME")
       ->required();
   add_picture_option(*command, options->pictures);
   command->footer(

@@ -53,7 +53,7 @@ int run(const Options& options) {
 void add_occupancy(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("occupancy", "Slice a world, mesh or point cloud into an occupancy map for map_server");
-  command->add_option("world", options->world, kSiteHelp)->required();
+  command->add_option("world", options->world, kSiteHelp)->type_name("FILE")->required();
   command->add_option("--z-min", options->z_min, "Bottom of the slice [m]: what is lower is floor")->required();
   command->add_option("--z-max", options->z_max, "Top of the slice [m]: what is higher is passed under")->required();
   command->add_option("--resolution", options->resolution, "Side of a cell [m]")->check(CLI::PositiveNumber)->capture_default_str();
@@ -61,7 +61,7 @@ void add_occupancy(CLI::App& app, Work& work) {
       ->add_option("--least-patch", options->least_patch, "Of a point cloud: smaller free patches [m2] are taken for the inside of walls")
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml and NAME.pgm")->required();
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.yaml and NAME.pgm")->type_name("NAME")->required();
   add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"

@@ -121,11 +121,14 @@ void add_plan(CLI::App& app, Work& work) {
       ->check(CLI::PositiveNumber);
   command->add_option("--min-alignability", options->min_alignability, "Places whose alignability is less, or unknown, are shut")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--stations", options->stations,
-                      "File that names stations: plan from each to each instead of from start to goal, with the planner field, and give "
-                      "the matrix of costs");
+  command
+      ->add_option("--stations", options->stations,
+                   "File that names stations: plan from each to each instead of from start to goal, with the planner field, and give "
+                   "the matrix of costs")
+      ->type_name("YAML");
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv and NAME.png; with --stations those of all ways")
+      ->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"

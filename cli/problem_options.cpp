@@ -10,10 +10,10 @@
 namespace alignability::cli {
 
 void add_problem_options(CLI::App& command, ProblemOptions& options) {
-  command.add_option("problem", options.file, "Problem file")->required();
-  command.add_option("--map", options.map, "Occupancy map in place of the file's");
-  command.add_option("--alignability", options.alignability, "Alignability map in place of the file's");
-  command.add_option("--planner", options.planner, "OMPL planner in place of the file's");
+  command.add_option("problem", options.file, "Problem file")->type_name("YAML")->required();
+  command.add_option("--map", options.map, "Occupancy map in place of the file's")->type_name("YAML");
+  command.add_option("--alignability", options.alignability, "Alignability map in place of the file's")->type_name("YAML");
+  command.add_option("--planner", options.planner, "OMPL planner in place of the file's")->type_name("PLANNER");
   CLI::Option* time = command.add_option("--time", options.time, "Planning time [s]")->check(CLI::PositiveNumber);
   command.add_option("--iterations", options.iterations, "Planner iterations in place of a time")
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{std::numeric_limits<std::uint32_t>::max()}))

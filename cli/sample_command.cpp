@@ -34,7 +34,7 @@ int run(const Options& options) {
 void add_sample(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("sample", "Sample the surfaces of a world into a point cloud, as a scanner would have them");
-  command->add_option("site", options->site, "SDF world or model, or mesh")->required();
+  command->add_option("site", options->site, "SDF world or model, or mesh")->type_name("FILE")->required();
   command->add_option("--spacing", options->sampling.spacing, "One point for each square of this side [m], on average")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
@@ -42,7 +42,7 @@ void add_sample(CLI::App& app, Work& work) {
       ->check(CLI::NonNegativeNumber)
       ->capture_default_str();
   command->add_option("--seed", options->sampling.seed, "Seed of where points lie and of their noise")->capture_default_str();
-  command->add_option("-o,--output", options->output, "FILE.pcd")->required();
+  command->add_option("-o,--output", options->output, "FILE.pcd")->type_name("FILE")->required();
   add_site_options(*command, options->reading);
   command->footer(
       "Examples:\n"

@@ -45,14 +45,15 @@ int run(const Options& options) {
 void add_scan(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("scan", "Simulate one lidar scan of a world");
-  command->add_option("--scene", options->scene, kSiteHelp)->required();
-  command->add_option("--sensor", options->sensor, "Sensor file")->required();
+  command->add_option("--scene", options->scene, kSiteHelp)->type_name("FILE")->required();
+  command->add_option("--sensor", options->sensor, "Sensor file")->type_name("YAML")->required();
   command->add_option("--at", options->at, "Where base_link stands in map: x,y,yaw [m, m, rad]")->required()->expected(3)->delimiter(',');
   command->add_option("--floor", options->floor, "Height of base_link in map [m]")->capture_default_str();
   command->add_option("--range-max", options->range_max, "Drop returns beyond [m]")->check(CLI::PositiveNumber);
   command->add_option("--seed", options->seed, "Seed of the range noise")->capture_default_str();
   command->add_flag("--noise-free", options->noise_free, "Exact ranges");
   command->add_option("-o,--output", options->output, "FILE.pcd, organized: a row a ring; of several lidars one row in base_link")
+      ->type_name("FILE")
       ->required();
   add_site_options(*command, options->reading);
   command->footer(

@@ -89,11 +89,14 @@ int run(Options options) {
 void add_score(CLI::App& app, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("score", "Measure the alignability of scans");
-  command->add_option("scans", options->scans, "PCD, PLY or .bin files")->required();
-  command->add_option("--sensor", options->sensor,
-                      "Sensor file: least range, noise, mounts, 2D or 3D (without: 0.5 m, 2 cm, upright, 2D where flat)");
+  command->add_option("scans", options->scans, "PCD, PLY or .bin files")->type_name("FILE")->required();
+  command
+      ->add_option("--sensor", options->sensor,
+                   "Sensor file: least range, noise, mounts, 2D or 3D (without: 0.5 m, 2 cm, upright, 2D where flat)")
+      ->type_name("YAML");
   add_scoring_options(*command, options->alignability);
-  command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a .png, .svg or .pdf");
+  command->add_option("--picture", options->picture, "Draw the scan from above, coloured by plane, into a .png, .svg or .pdf")
+      ->type_name("FILE");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer(
       "Examples:\n"

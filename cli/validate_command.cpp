@@ -110,8 +110,8 @@ int run(const Options& options) {
 }
 
 void add_common_options(CLI::App& command, Options& options) {
-  command.add_option("--map", options.problem.map, "Occupancy map in place of the problem's");
-  command.add_option("--alignability", options.problem.alignability, "Alignability map in place of the problem's");
+  command.add_option("--map", options.problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
+  command.add_option("--alignability", options.problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
   command.add_option("--runs", options.runs, "Drives of each path, each with errors of its own, the same on every path")
       ->check(CLI::Range(1, 100'000))
       ->capture_default_str();
@@ -123,15 +123,17 @@ void add_validate_map(CLI::App& validate, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       validate.add_subcommand("map", "Drive a tour, and hold the errors of localization against alignability, cell by cell");
-  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->required();
+  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->type_name("YAML")->required();
   command
       ->add_option("--waypoints", options->waypoints, "The tour's corners, joined by shortest paths, the last to the first: x,y x,y … [m]")
       ->delimiter(',')
       ->required();
   command->add_option("--laps", options->laps, "How often around")->check(CLI::Range(1, 1000))->capture_default_str();
   add_common_options(*command, *options);
-  command->add_option("-o,--output", options->output,
-                      "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_…_error.png and NAME_…_scatter.png");
+  command
+      ->add_option("-o,--output", options->output,
+                   "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_…_error.png and NAME_…_scatter.png")
+      ->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"
@@ -143,10 +145,11 @@ void add_validate_path(CLI::App& validate, Work& work) {
   const auto options = std::make_shared<Options>();
   options->runs = 20;
   CLI::App* command = validate.add_subcommand("path", "Drive paths, and tell how far off a localizer is along each");
-  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->required();
-  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->required();
+  command->add_option("problem", options->problem.file, "Problem file that names scene, sensor and drive")->type_name("YAML")->required();
+  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->type_name("CSV")->required();
   add_common_options(*command, *options);
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_….png");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.json, NAME.csv, and of each localizer NAME_….png")
+      ->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"

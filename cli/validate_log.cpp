@@ -134,17 +134,19 @@ void add_validate_log(CLI::App& validate, Work& work) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = validate.add_subcommand(
       "log", "Hold the alignability of recorded scans against that of scans simulated in a site from the same poses");
-  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")->required();
+  command->add_option("log", options->log.folder, "Folder of recorded scans: .pcd, .ply, .bin; or a CARMEN log: .log, .clf")
+      ->type_name("PATH")
+      ->required();
   add_log_options(*command, options->log);
-  command->add_option("--scene", options->scene, kSiteHelp)->required();
-  command->add_option("--sensor", options->sensor, "Sensor file")->required();
+  command->add_option("--scene", options->scene, kSiteHelp)->type_name("FILE")->required();
+  command->add_option("--sensor", options->sensor, "Sensor file")->type_name("YAML")->required();
   command->add_option("--range-max", options->scoring.range_max, "Crop both to this range [m]")->check(CLI::PositiveNumber);
   command->add_option("--seed", options->seed, "Seed of range noise")->capture_default_str();
   command->add_option("--threads", options->scoring.threads, "0: one a processor")->check(CLI::NonNegativeNumber)->capture_default_str();
   add_site_options(*command, options->reading);
   add_scoring_options(*command, options->scoring.alignability);
   command->add_flag("--json", options->json, "Print JSON");
-  command->add_option("-o,--output", options->output, "NAME: writes NAME.csv and NAME.png");
+  command->add_option("-o,--output", options->output, "NAME: writes NAME.csv and NAME.png")->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Example:\n"
