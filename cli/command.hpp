@@ -29,5 +29,6 @@ void add_export(CLI::App& app, Work& work);
 void add_report(CLI::App& app, Work& work, const std::string& command_line);
 void add_validate(CLI::App& app, Work& work);
 void add_calibrate(CLI::App& app, Work& work);
+void add_completion(CLI::App& app, Work& work);
 
 }  // namespace alignability::cli

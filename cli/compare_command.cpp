@@ -189,7 +189,8 @@ void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
           ->delimiter(',')
           ->check(CLI::NonNegativeNumber);
   CLI::Option* html =
-      command->add_option("--html", options->html, "Writes a page for the browser too: both maps, the paths, α and errors along them");
+      command->add_option("--html", options->html, "Writes a page for the browser too: both maps, the paths, α and errors along them")
+          ->type_name("FILE");
   command->add_option("--pairs", options->pairs, "Compare between that many random pairs of poses instead, drawn with --seed")
       ->check(CLI::Range(1, 1'000'000))
       ->excludes(weights)

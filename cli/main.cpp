@@ -6,10 +6,9 @@
 #include <new>
 #include <vector>
 
-#include "cli/command.hpp"
+#include "cli/command_line.hpp"
 #include "cli/library_logs.hpp"
 #include "cli/report_output.hpp"
-#include "cli/strict_numbers.hpp"
 #include "core/input_error.hpp"
 #include "core/progress.hpp"
 
@@ -88,33 +87,13 @@ int run(const Work& work) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  CLI::App app("How well a lidar scan constrains alignment: maps of it, and paths on which a robot stays localized.", "alignability");
-  app.set_version_flag("--version", ALIGNABILITY_VERSION);
-  app.require_subcommand(1);
-  app.get_formatter()->column_width(34);
   Work work;
   const std::vector<std::string> words(argv + 1, argv + argc);
-  const std::string command_line = "alignability " + shell_line(words);
-  add_occupancy(app, work);
-  add_scan(app, work);
-  add_sample(app, work);
-  add_score(app, work);
-  add_explain(app, work);
-  add_map(app, work);
-  add_join(app, work);
-  add_compare_maps(app, work);
-  add_plan(app, work);
-  add_compare(app, work, command_line);
-  add_evaluate(app, work);
-  add_export(app, work);
-  add_report(app, work, command_line);
-  add_validate(app, work);
-  add_calibrate(app, work);
-  refuse_what_is_no_number(app);
+  const std::unique_ptr<CLI::App> app = command_line(work, "alignability " + shell_line(words));
   try {
-    app.parse(argc, argv);
+    app->parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return report(app, error, words);
+    return report(*app, error, words);
   }
   const LibraryLogs library_logs;
   return run(work);

@@ -68,15 +68,15 @@ int run(const Options& options, const std::string& command_line) {
 void add_report(CLI::App& app, Work& work, const std::string& command_line) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("report", "Show a problem's maps and paths on a page for the browser");
-  command->add_option("problem", options->problem.file, "Problem file")->required();
-  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them");
-  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's");
-  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's");
+  command->add_option("problem", options->problem.file, "Problem file")->type_name("YAML")->required();
+  command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->type_name("CSV");
+  command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
+  command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
   CLI::Option* drives =
       command->add_option("--drive", options->drives, "Drive each path that many times, and show how far off a localizer is along it")
           ->check(CLI::Range(1, 100'000));
   for (CLI::Option* option : add_drive_options(*command, options->drive)) option->needs(drives);
-  command->add_option("-o,--output", options->output, "The HTML file, which holds all it shows")->required();
+  command->add_option("-o,--output", options->output, "The HTML file, which holds all it shows")->type_name("FILE")->required();
   command->footer(
       "Examples:\n"
       "  alignability report maps/warehouse/problem.yaml -o warehouse.html\n"

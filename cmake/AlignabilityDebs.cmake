@@ -26,5 +26,5 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION "Headers, CMake package and pkg-config files
 set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME alignability)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${same_version}, fonts-dejavu-core")
-set(CPACK_COMPONENT_TOOLS_DESCRIPTION "The command line, and the maps and sensors that its examples name, in /usr/share/alignability.")
+set(CPACK_COMPONENT_TOOLS_DESCRIPTION "The command line with man pages and completions, and the maps and sensors that its examples name, in /usr/share/alignability.")
 include(CPack)

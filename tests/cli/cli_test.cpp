@@ -304,8 +304,8 @@ TEST_F(Cli, ReportsMapsAndPathsOnAPage) {
 }
 
 TEST_F(Cli, EndsHelpWithTwoExamples) {
-  for (const std::string command :
-       {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "export", "report", "validate", "calibrate"}) {
+  for (const std::string command : {"occupancy", "scan", "sample", "score", "explain", "map", "plan", "compare", "evaluate", "export",
+                                    "report", "validate", "calibrate", "completion"}) {
     const test::Outcome outcome = run({command, "--help"});
     EXPECT_EQ(outcome.exit_code, 0);
     const std::size_t examples = outcome.out.find("Examples:");

@@ -34,6 +34,11 @@ if(NOT ALIGNABILITY_SANITIZE)
 endif()
 if(cli IN_LIST ALIGNABILITY_ROOMS)
   add_test(NAME Consumer.RunsTheInstalledProgram COMMAND ${consumer}/prefix/${CMAKE_INSTALL_BINDIR}/alignability --version)
-  list(APPEND consumer_tests Consumer.RunsTheInstalledProgram)
+  set(shared ${consumer}/prefix/${CMAKE_INSTALL_DATADIR})
+  add_test(NAME Consumer.FindsManPagesAndCompletions
+    COMMAND ${CMAKE_COMMAND} -E sha1sum ${consumer}/prefix/${CMAKE_INSTALL_MANDIR}/man1/alignability-validate-map.1
+      ${shared}/bash-completion/completions/alignability ${shared}/zsh/vendor-completions/_alignability
+      ${shared}/fish/vendor_completions.d/alignability.fish)
+  list(APPEND consumer_tests Consumer.RunsTheInstalledProgram Consumer.FindsManPagesAndCompletions)
 endif()
 set_tests_properties(${consumer_tests} PROPERTIES FIXTURES_REQUIRED package TIMEOUT 600)
