@@ -1,0 +1,12 @@
+# Fails unless what the headers offer is there and what is inside is not.
+file(READ ${HTML}/namespacealignability.html page)
+foreach(name RiskField AlignabilityObjective InputError PlanStatus PlanResult read_alignability_map)
+  string(FIND "${page}" ">${name}<" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "${name} is not in the reference")
+  endif()
+endforeach()
+file(GLOB inside ${HTML}/*alignability_1_1detail*)
+if(inside)
+  message(FATAL_ERROR "of the inside: ${inside}")
+endif()

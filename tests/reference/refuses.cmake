@@ -1,0 +1,11 @@
+# Fails unless Doxygen fails, and for the faults of broken.hpp.
+execute_process(COMMAND ${DOXYGEN} ${FOLDER}/Doxyfile RESULT_VARIABLE result ERROR_VARIABLE said)
+if(result EQUAL 0)
+  message(FATAL_ERROR "Doxygen took a header with a wrong parameter and a broken link")
+endif()
+foreach(fault "argument 'height' of command @param is not found" "unable to resolve reference to 'nowhere'")
+  string(FIND "${said}" "${fault}" at)
+  if(at EQUAL -1)
+    message(FATAL_ERROR "Doxygen did not say \"${fault}\", but:\n${said}")
+  endif()
+endforeach()
