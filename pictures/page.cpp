@@ -54,10 +54,15 @@ std::string Page::png() const {
 
 std::string Page::svg() const {
   std::string bytes;
-  const auto sheet = Cairo::SvgSurface::create_for_stream(appending_to(bytes), width_, height_);
-  cairo_svg_surface_set_document_unit(sheet->cobj(), CAIRO_SVG_UNIT_PX);
-  copy_to(sheet);
-  sheet->finish();
+  const unsigned int references = cairo_surface_get_reference_count(surface_->cobj());
+  {
+    const auto sheet = Cairo::SvgSurface::create_for_stream(appending_to(bytes), width_, height_);
+    cairo_svg_surface_set_document_unit(sheet->cobj(), CAIRO_SVG_UNIT_PX);
+    copy_to(sheet);
+    sheet->finish();
+  }
+  // Cairo 1.16 forgets to let go of a recording that it wrote into an SVG.
+  while (cairo_surface_get_reference_count(surface_->cobj()) > references) cairo_surface_destroy(surface_->cobj());
   return finished_svg(bytes);
 }
 
