@@ -1,5 +1,5 @@
 # `cpack -G DEB` in the build tree: libalignabilityM.N, what programs load; libalignability-dev, what they are built with; alignability, the
-# program and the maps that its examples name. Made for /usr: configure with -DCMAKE_INSTALL_PREFIX=/usr.
+# program and the maps that its examples name; where it is built, python3-alignability. Made for /usr: configure with -DCMAKE_INSTALL_PREFIX=/usr.
 set(soname ${PROJECT_VERSION_MAJOR}.${PROJECT_VERSION_MINOR})
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME alignability)
@@ -27,4 +27,14 @@ set(CPACK_DEBIAN_TOOLS_PACKAGE_NAME alignability)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_TOOLS_PACKAGE_DEPENDS "${same_version}, fonts-dejavu-core")
 set(CPACK_COMPONENT_TOOLS_DESCRIPTION "The command line with man pages and completions, and the maps and sensors that its examples name, in /usr/share/alignability.")
+if(ALIGNABILITY_BUILD_PYTHON)
+  list(APPEND CPACK_COMPONENTS_ALL python)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-alignability)
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
+  # A compiled module is for one minor version of Python.
+  math(EXPR next_minor "${Python_VERSION_MINOR} + 1")
+  set(pythons "python3 (>= ${Python_VERSION_MAJOR}.${Python_VERSION_MINOR}~), python3 (<< ${Python_VERSION_MAJOR}.${next_minor})")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "${same_version}, ${pythons}, python3-numpy")
+  set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Python package: scoring, mapping, planning and validation, on NumPy arrays.")
+endif()
 include(CPack)

@@ -6,7 +6,7 @@
 #
 # A package is written as find_package takes it. Those called Alignability… are find modules beside this file.
 
-set(alignability_rooms core costmap planner lidar alignability localization pictures report cli)  # in the order the data flows: an arrow never points back
+set(alignability_rooms core costmap planner lidar alignability localization pictures report cli python)  # in the order the data flows: an arrow never points back
 
 set(alignability_core_public "Eigen3 3.4 CONFIG")
 set(alignability_core_private yaml-cpp)
@@ -35,6 +35,9 @@ set(alignability_report_private nlohmann_json)
 
 set(alignability_cli_beneath alignability planner localization pictures report)
 set(alignability_cli_private AlignabilityPcl CLI11 nlohmann_json)
+
+set(alignability_python_beneath alignability planner localization)
+set(alignability_python_private AlignabilityPcl AlignabilityPython)
 
 # alignability_with_beneath(VARIABLE ROOM…): those rooms and all beneath them, each after those it stands on.
 function(alignability_with_beneath variable)

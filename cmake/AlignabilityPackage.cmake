@@ -22,7 +22,7 @@ install(FILES ${package_files} DESTINATION ${alignability_package_folder} COMPON
 set(alignability_pc_of_Eigen3 eigen3)
 file(RELATIVE_PATH alignability_pc_prefix ${CMAKE_INSTALL_FULL_LIBDIR}/pkgconfig ${CMAKE_INSTALL_PREFIX})
 foreach(room IN LISTS ALIGNABILITY_ROOMS)
-  if(NOT TARGET alignability_${room} OR room STREQUAL cli)
+  if(NOT TARGET alignability_${room} OR room MATCHES "^(cli|python)$")
     continue()
   endif()
   set(foreign_cflags)
