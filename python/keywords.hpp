@@ -66,13 +66,15 @@ class Keywords {
     std::function<py::object(Options&, py::handle owner)> get;
   };
 
-  // What Python knows as a class of its own is shared, so that its parts can be set.
+  // What is a class of its own to Python is shared, so that its parts can be set; all else is a copy, for it may be set anew meanwhile.
   template <typename Value>
   static py::object to_python(Value& value, py::handle owner) {
     if constexpr (std::is_base_of_v<py::object, Value>) {
       return value;
-    } else {
+    } else if constexpr (std::is_base_of_v<py::detail::type_caster_generic, py::detail::make_caster<Value>>) {
       return py::cast(value, py::return_value_policy::reference_internal, owner);
+    } else {
+      return py::cast(value, py::return_value_policy::copy);
     }
   }
 

@@ -94,7 +94,7 @@ void bind_risk(py::module_& module) {
       module, "RiskField",
       "The risk by place of a problem as it is when this is made; it does not change. Poses are "
       "(N, 3) of x, y [m], yaw [rad], or (N, 2) where the risk takes no notice of yaw.")
-      .def(py::init(&field_of), py::arg("problem"))
+      .def(py::init(&field_of), py::arg("problem"), py::call_guard<py::gil_scoped_release>())
       .def_property_readonly("has_headings", &RiskField::has_headings, "Whether it depends on yaw.")
       .def("risk", &risk, py::arg("poses"), "(N,) of risk, in [0, 1] where there is no other source than alignability.")
       .def("alpha", &alpha, py::arg("poses"), "(N,) of alpha, bilinear; NaN where a cell without a value has a part in it.")
@@ -103,7 +103,7 @@ void bind_risk(py::module_& module) {
       .def("measure", &measure_path, py::arg("path"), "The figures of a path, straight between its poses.");
   py::class_<DrivableArea, std::shared_ptr<DrivableArea>>(
       module, "DrivableArea", "Where the robot of a problem fits, as it is when this is made; it does not change. Exact, without sampling.")
-      .def(py::init(&area_of), py::arg("problem"))
+      .def(py::init(&area_of), py::arg("problem"), py::call_guard<py::gil_scoped_release>())
       .def("contains", &contains, py::arg("poses"), "(N,) of bool: whether the robot may be there.")
       .def("connects", &connects, py::arg("from_poses"), py::arg("to_poses"),
            "(N,) of bool: whether it may be everywhere on the straight way between two, turning evenly.")

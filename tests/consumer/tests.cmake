@@ -41,4 +41,11 @@ if(cli IN_LIST ALIGNABILITY_ROOMS)
       ${shared}/fish/vendor_completions.d/alignability.fish)
   list(APPEND consumer_tests Consumer.RunsTheInstalledProgram Consumer.FindsManPagesAndCompletions)
 endif()
+# Under a sanitizer Python would have to be told of it; tests/python does that.
+if(python IN_LIST ALIGNABILITY_ROOMS AND NOT ALIGNABILITY_SANITIZE)
+  add_test(NAME Consumer.ImportsTheInstalledPythonPackage COMMAND ${Python_EXECUTABLE} -c "import alignability; print(alignability.Robot())")
+  set_tests_properties(Consumer.ImportsTheInstalledPythonPackage PROPERTIES
+    ENVIRONMENT PYTHONPATH=${consumer}/prefix/${ALIGNABILITY_PYTHON_FOLDER} PASS_REGULAR_EXPRESSION "Robot.radius=0.0")
+  list(APPEND consumer_tests Consumer.ImportsTheInstalledPythonPackage)
+endif()
 set_tests_properties(${consumer_tests} PROPERTIES FIXTURES_REQUIRED package TIMEOUT 600)

@@ -130,7 +130,9 @@ class ProblemTest(SiteTest):
         other.start = (1, 1, 0)
         self.assertEqual((problem.motion.space, problem.risk.min_alpha, problem.start), ("se2", None, (1.5, 3.0, 0.0)))
         other.robot = alignability.Robot(footprint=[(-0.3, -0.2), (0.3, -0.2), (0.3, 0.2), (-0.3, 0.2)])
-        self.assertEqual(len(other.robot.footprint), 4)
+        corners = other.robot.footprint
+        other.robot.footprint = []
+        self.assertEqual([corner.tolist() for corner in corners], [[-0.3, -0.2], [0.3, -0.2], [0.3, 0.2], [-0.3, 0.2]])
 
     def test_refuses_what_does_not_fit(self):
         problem = alignability.Problem.load(self.folder / "problem.yaml")
