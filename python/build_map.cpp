@@ -37,13 +37,13 @@ const Keywords<BuildOptions>& keywords() {
         .add(
             "headings", [](auto& o) -> auto& { return o.headings; })
         .add(
-            "floor", [](auto& o) -> auto& { return o.map.floor; })
+            "floor", kFinite, [](auto& o) -> auto& { return o.map.floor; })
         .add(
             "seed", [](auto& o) -> auto& { return o.map.seed; })
         .add(
-            "occupied_above", [](auto& o) -> auto& { return o.map.rule.occupied_above; })
+            "occupied_above", kShare, [](auto& o) -> auto& { return o.map.rule.occupied_above; })
         .add(
-            "max_occupied_share", [](auto& o) -> auto& { return o.map.rule.max_occupied_share; })
+            "max_occupied_share", kShare, [](auto& o) -> auto& { return o.map.rule.max_occupied_share; })
         .add(
             "cells", [](auto& o) -> auto& { return o.map.cells; })
         .add(

@@ -9,6 +9,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <array>
+#include <cmath>
 #include <string>
 #include <type_traits>
 #include <utility>
@@ -126,6 +127,7 @@ struct type_caster<alignability::Pose2> {
     const object values = isinstance<array>(source) ? object(source.attr("tolist")()) : reinterpret_borrow<object>(source);
     if (!numbers.load(values, convert)) return false;
     const auto& [x, y, yaw] = cast_op<std::array<double, 3>&>(numbers);
+    if (!std::isfinite(x) || !std::isfinite(y) || !std::isfinite(yaw)) throw value_error("must be finite");
     value = {x, y, yaw};
     return true;
   }

@@ -2,12 +2,14 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
 #include <utility>
 #include <vector>
 
+#include "core/range.hpp"
 #include "python/casters.hpp"
 
 namespace alignability::python {
@@ -27,6 +29,19 @@ class Keywords {
     using Value = std::remove_reference_t<std::invoke_result_t<Place, Options&>>;
     fields_.push_back({std::move(name), [place](Options& options, py::handle value) { place(options) = value.cast<Value>(); },
                        [place](Options& options, py::handle owner) { return to_python(place(options), owner); }});
+    return *this;
+  }
+
+  /// The same of a number that has to be in a range, as one in a file has to.
+  template <typename Place>
+  Keywords& add(std::string name, const Range& allowed, Place place) {
+    add(std::move(name), place);
+    fields_.back().set = [place, allowed](Options& options, py::handle value) {
+      using Value = std::remove_reference_t<std::invoke_result_t<Place, Options&>>;
+      const auto given = value.cast<Value>();
+      check(given, allowed);
+      place(options) = given;
+    };
     return *this;
   }
 
@@ -65,6 +80,15 @@ class Keywords {
     std::function<void(Options&, py::handle)> set;
     std::function<py::object(Options&, py::handle owner)> get;
   };
+
+  template <typename Number>
+  static void check(Number given, const Range& allowed) {
+    if (!allowed.contains(static_cast<double>(given))) throw py::value_error("must be " + allowed.description());
+  }
+  template <typename Number>
+  static void check(const std::optional<Number>& given, const Range& allowed) {
+    if (given) check(*given, allowed);
+  }
 
   // What is a class of its own to Python is shared, so that its parts can be set; all else is a copy, for it may be set anew meanwhile.
   template <typename Value>

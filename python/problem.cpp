@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "python/problem.hpp"
 
+#include <limits>
 #include <memory>
+#include <numbers>
 
 #include "python/bindings.hpp"
 #include "python/keywords.hpp"
@@ -9,11 +11,16 @@
 namespace alignability::python {
 namespace {
 
+// What a problem file allows.
+constexpr Range kTurningRadius{.min = 0.0, .max = kWidestTurn, .min_end = Range::End::open};
+constexpr Range kHeadingTolerance{.min = 0.0, .max = std::numbers::pi, .min_end = Range::End::open};
+constexpr Range kCount{.min = 1.0, .max = std::numeric_limits<std::uint32_t>::max()};
+
 void bind_robot(py::module_& module) {
   bind_options<Robot>(module, "Robot", "A disk of `radius` [m] around base_link, or the polygon of `footprint`, (x, y) in base_link [m].",
                       Keywords<Robot>()
                           .add(
-                              "radius", [](auto& o) -> auto& { return o.radius; })
+                              "radius", kPositive, [](auto& o) -> auto& { return o.radius; })
                           .add(
                               "footprint", [](auto& o) -> auto& { return o.footprint; }));
 }
@@ -26,20 +33,20 @@ void bind_motion(py::module_& module) {
                            .add(
                                "space", [](auto& o) -> auto& { return o.space; })
                            .add(
-                               "turn_cost", [](auto& o) -> auto& { return o.turn_cost; })
+                               "turn_cost", kNotNegative, [](auto& o) -> auto& { return o.turn_cost; })
                            .add(
-                               "turning_radius", [](auto& o) -> auto& { return o.turning_radius; })
+                               "turning_radius", kTurningRadius, [](auto& o) -> auto& { return o.turning_radius; })
                            .add(
-                               "reverse_penalty", [](auto& o) -> auto& { return o.reverse_penalty; }));
+                               "reverse_penalty", kNotNegative, [](auto& o) -> auto& { return o.reverse_penalty; }));
 }
 
 void bind_goal_tolerance(py::module_& module) {
   bind_options<GoalTolerance>(module, "GoalTolerance", "Where a path may end: within `position` [m] and `heading` [rad] of the goal.",
                               Keywords<GoalTolerance>()
                                   .add(
-                                      "position", [](auto& o) -> auto& { return o.position; })
+                                      "position", kPositive, [](auto& o) -> auto& { return o.position; })
                                   .add(
-                                      "heading", [](auto& o) -> auto& { return o.heading; }));
+                                      "heading", kHeadingTolerance, [](auto& o) -> auto& { return o.heading; }));
 }
 
 void bind_risk_options(py::module_& module) {
@@ -49,15 +56,15 @@ void bind_risk_options(py::module_& module) {
                             "where a problem file has other sources.",
                             Keywords<RiskOptions>()
                                 .add(
-                                    "alpha_critical", [](auto& o) -> auto& { return o.alpha_critical; })
+                                    "alpha_critical", kShare, [](auto& o) -> auto& { return o.alpha_critical; })
                                 .add(
-                                    "alpha_safe", [](auto& o) -> auto& { return o.alpha_safe; })
+                                    "alpha_safe", kShare, [](auto& o) -> auto& { return o.alpha_safe; })
                                 .add(
                                     "unknown", [](auto& o) -> auto& { return o.unknown; })
                                 .add(
-                                    "min_alpha", [](auto& o) -> auto& { return o.min_alpha; })
+                                    "min_alpha", kShare, [](auto& o) -> auto& { return o.min_alpha; })
                                 .add(
-                                    "alpha_weight", [](auto& o) -> auto& { return o.alpha_weight; }));
+                                    "alpha_weight", kNotNegative, [](auto& o) -> auto& { return o.alpha_weight; }));
 }
 
 void bind_planner_choice(py::module_& module) {
@@ -68,11 +75,11 @@ void bind_planner_choice(py::module_& module) {
                                   .add(
                                       "name", [](auto& o) -> auto& { return o.name; })
                                   .add(
-                                      "time", [](auto& o) -> auto& { return o.time; })
+                                      "time", kPositive, [](auto& o) -> auto& { return o.time; })
                                   .add(
-                                      "iterations", [](auto& o) -> auto& { return o.iterations; })
+                                      "iterations", kCount, [](auto& o) -> auto& { return o.iterations; })
                                   .add(
-                                      "seed", [](auto& o) -> auto& { return o.seed; }));
+                                      "seed", kCount, [](auto& o) -> auto& { return o.seed; }));
 }
 
 Keywords<PlanQuery> query_keywords() {
@@ -88,13 +95,13 @@ Keywords<PlanQuery> query_keywords() {
       .add(
           "goal_tolerance", [](auto& o) -> auto& { return o.goal_tolerance; })
       .add(
-          "weight", [](auto& o) -> auto& { return o.weight; })
+          "weight", kNotNegative, [](auto& o) -> auto& { return o.weight; })
       .add(
-          "max_error", [](auto& o) -> auto& { return o.max_error; })
+          "max_error", kPositive, [](auto& o) -> auto& { return o.max_error; })
       .add(
-          "max_blind_distance", [](auto& o) -> auto& { return o.max_blind_distance; })
+          "max_blind_distance", kNotNegative, [](auto& o) -> auto& { return o.max_blind_distance; })
       .add(
-          "recovery_distance", [](auto& o) -> auto& { return o.recovery_distance; })
+          "recovery_distance", kPositive, [](auto& o) -> auto& { return o.recovery_distance; })
       .add(
           "risk", [](auto& o) -> auto& { return o.risk; })
       .add(
@@ -111,7 +118,7 @@ Keywords<ProblemFile> drive_keywords() {
       .add(
           "drive", [](auto& o) -> auto& { return o.drive; })
       .add(
-          "range_max", [](auto& o) -> auto& { return o.range_max; });
+          "range_max", kPositive, [](auto& o) -> auto& { return o.range_max; });
 }
 
 std::shared_ptr<Problem> load(const std::filesystem::path& path) {

@@ -23,9 +23,9 @@ const Keywords<AlignabilityOptions>& keywords() {
   static const auto* const all = [] {
     auto* const made = new Keywords<AlignabilityOptions>;
     made->add(
-            "range_min", [](auto& o) -> auto& { return o.segmentation.range_min; })
+            "range_min", kNotNegative, [](auto& o) -> auto& { return o.segmentation.range_min; })
         .add(
-            "range_stddev", [](auto& o) -> auto& { return o.range_stddev; })
+            "range_stddev", kPositive, [](auto& o) -> auto& { return o.range_stddev; })
         .add(
             "dimensions", [](auto& o) -> auto& { return o.segmentation.dimensions; });
     add_scoring(

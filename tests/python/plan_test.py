@@ -144,6 +144,29 @@ class ProblemTest(SiteTest):
             problem.weight = "much"
         with self.assertRaises(AttributeError):
             alignability.plan(problem).status = "solved"
+
+    def test_refuses_values_where_a_file_would(self):
+        problem = alignability.Problem.load(self.folder / "problem.yaml")
+        nan = float("nan")
+        for owner, name, value, fault in [
+            (problem, "weight", -1, "weight must be at least 0"),
+            (problem, "weight", nan, "weight must be at least 0"),
+            (problem, "goal", (5, 3, float("inf")), "goal must be finite"),
+            (problem, "recovery_distance", 0, "recovery_distance must be greater than 0"),
+            (problem.planner, "seed", 0, "seed must be from 1 to 4294967295"),
+            (problem.planner, "iterations", 0, "iterations must be from 1 to 4294967295"),
+            (problem.planner, "time", nan, "time must be greater than 0"),
+            (problem.risk, "alpha_safe", 1.5, "alpha_safe must be from 0 to 1"),
+            (problem.robot, "radius", 0, "radius must be greater than 0"),
+            (problem.goal_tolerance, "position", -1, "position must be greater than 0"),
+        ]:
+            before = getattr(owner, name)
+            with self.assertRaisesRegex(ValueError, fault):
+                setattr(owner, name, value)
+            self.assertEqual(getattr(owner, name), before)
+
+    def test_knows_its_keywords(self):
+        problem = alignability.Problem.load(self.folder / "problem.yaml")
         with self.assertRaisesRegex(TypeError, r"PlannerChoice\(\) got an unexpected keyword argument 'iteration'"):
             alignability.PlannerChoice(iteration=5)
         problem.motion = alignability.Motion(space="r2")
