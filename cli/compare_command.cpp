@@ -20,7 +20,6 @@
 #include "cli/report_output.hpp"
 #include "core/file.hpp"
 #include "core/progress.hpp"
-#include "core/range.hpp"
 #include "planner/trade_off.hpp"
 
 namespace alignability::cli {
@@ -181,7 +180,7 @@ void add_compare(CLI::App& app, Work& work, const std::string& command_line) {
   CLI::Option* weights =
       command->add_option("--weights", options->weights, "Further weights, for the curve of length against blind metres: 1,2,5,10")
           ->delimiter(',')
-          ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+          ->check(CLI::NonNegativeNumber);
   CLI::Option* limits =
       command
           ->add_option("--blind-limits", options->blind_limits,

@@ -7,7 +7,6 @@
 #include "cli/output_name.hpp"
 #include "cli/picture_option.hpp"
 #include "cli/problem_options.hpp"
-#include "core/range.hpp"
 #include "planner/route_file.hpp"
 
 namespace alignability::cli {
@@ -68,8 +67,7 @@ void add_evaluate(CLI::App& app, Work& work) {
       ->required();
   command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
   command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
-  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")
-      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+  command->add_option("--weight", options->problem.weight, "Weight of the risk in the cost")->check(CLI::NonNegativeNumber);
   command->add_option("--nodes", options->nodes, "Score the path along these nodes of a graph: 3,7,12")->type_name("NODE")->delimiter(',');
   command->add_option("--vehicle", options->file.vehicle, "Vehicle type of a LIF file, where they drive differently")->type_name("TYPE");
   command->add_option("--map-id", options->file.map, "Map of a LIF file, where it has several")->type_name("ID");

@@ -144,8 +144,7 @@ void add_export(CLI::App& app, Work& work) {
   command->add_option("paths", options->paths, "Paths (CSV), as plan and compare write them")->type_name("CSV");
   command->add_option("--map", options->problem.map, "Occupancy map in place of the problem's")->type_name("YAML");
   command->add_option("--alignability", options->problem.alignability, "Alignability map in place of the problem's")->type_name("YAML");
-  command->add_option("--weight", options->problem.weight, "Weight of the risk in place of the problem's")
-      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+  command->add_option("--weight", options->problem.weight, "Weight of the risk in place of the problem's")->check(CLI::NonNegativeNumber);
   command->add_flag("--json", options->json, "Print JSON");
   command
       ->add_option(

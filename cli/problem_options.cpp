@@ -4,7 +4,6 @@
 #include <limits>
 #include <stdexcept>
 
-#include "core/range.hpp"
 #include "planner/planners.hpp"
 
 namespace alignability::cli {
@@ -19,8 +18,7 @@ void add_problem_options(CLI::App& command, ProblemOptions& options) {
       ->check(CLI::Range(std::int64_t{1}, std::int64_t{std::numeric_limits<std::uint32_t>::max()}))
       ->excludes(time);
   command.add_option("--seed", options.seed, "Seed of the planner")->check(CLI::Range(1u, std::numeric_limits<std::uint32_t>::max()));
-  command.add_option("--weight", options.weight, "Weight of the risk; 0 plans the shortest path")
-      ->check(CLI::Range(kCostWeights.min, kCostWeights.max));
+  command.add_option("--weight", options.weight, "Weight of the risk; 0 plans the shortest path")->check(CLI::NonNegativeNumber);
   command.add_option("--start", options.start, "x,y,yaw [m, m, rad]")->expected(3)->delimiter(',');
   command.add_option("--goal", options.goal, "x,y,yaw [m, m, rad]")->expected(3)->delimiter(',');
 }
@@ -41,6 +39,7 @@ ProblemFile problem_file(const ProblemOptions& options) {
   query.weight = options.weight.value_or(query.weight);
   if (!options.start.empty()) query.start = {options.start[0], options.start[1], options.start[2]};
   if (!options.goal.empty()) query.goal = {options.goal[0], options.goal[1], options.goal[2]};
+  if (const auto refusal = refusal_of_numbers(query)) throw std::invalid_argument(*refusal);
   return file;
 }
 

@@ -299,7 +299,7 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   result.query = query;
   result.query.risk = fields.risk->options();
   if (query.planner.name.empty()) result.query.planner.name = kDefaultPlanner;
-  if (const auto unfit = refusal_of_weights(query)) throw std::invalid_argument(*unfit);
+  if (const auto unfit = refusal_of_numbers(query)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include "planner/plan_problem.hpp"
 
+#include <array>
 #include <limits>
 #include <sstream>
 
@@ -198,10 +199,33 @@ PlanProblem load_problem(const ProblemFile& file) {
 
 const char* to_string(MotionSpace space) { return name_of(space, kSpaces); }
 
-std::optional<std::string> refusal_of_weights(const PlanQuery& query) {
-  if (!kCostWeights.contains(query.weight)) return "the weight of the risk must be " + kCostWeights.description();
-  if (!kCostWeights.contains(query.motion.turn_cost)) return "what turning costs must be " + kCostWeights.description();
-  if (!kCostWeights.contains(query.motion.reverse_penalty)) return "a reverse penalty must be " + kCostWeights.description();
+std::optional<std::string> refusal_of_numbers(const PlanQuery& query) {
+  struct Number {
+    const char* name;
+    double value;
+    const Range& allowed;
+  };
+  const PlannerChoice& planner = query.planner;
+  const std::array numbers{
+      Number{"a start's x", query.start.x, kFinite},
+      Number{"a start's y", query.start.y, kFinite},
+      Number{"a start's yaw", query.start.yaw, kFinite},
+      Number{"a goal's x", query.goal.x, kFinite},
+      Number{"a goal's y", query.goal.y, kFinite},
+      Number{"a goal's yaw", query.goal.yaw, kFinite},
+      Number{"the weight of the risk", query.weight, kCostWeights},
+      Number{"what turning costs", query.motion.turn_cost, kCostWeights},
+      Number{"a reverse penalty", query.motion.reverse_penalty, kCostWeights},
+      Number{"the greatest error", query.max_error.value_or(1.0), kPositive},
+      Number{"the blind distance", query.max_blind_distance.value_or(0.0), kNotNegative},
+      Number{"the recovery distance", query.recovery_distance, kPositive},
+      Number{"the planning time", planner.time, kPositive},
+      Number{"the number of iterations", static_cast<double>(planner.iterations.value_or(1)), kPositive},
+  };
+  for (const Number& number : numbers) {
+    if (number.allowed.contains(number.value)) continue;
+    return std::string(number.name) + " must be " + number.allowed.description() + ", not " + to_text(number.value);
+  }
   return std::nullopt;
 }
 

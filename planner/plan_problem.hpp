@@ -90,8 +90,8 @@ ProblemFile read_problem_file(const std::filesystem::path& yaml_file);
 /// Reads the maps. Throws InputError.
 PlanProblem load_problem(const ProblemFile& file);
 
-/// Which of what a query weighs is no number from 0 to 1e9 (see kCostWeights); nullopt when none is.
-std::optional<std::string> refusal_of_weights(const PlanQuery& query);
+/// Which of a query's numbers is out of range, those of its robot and goal tolerance left out; nullopt when none is.
+std::optional<std::string> refusal_of_numbers(const PlanQuery& query);
 
 /// Why a query's robot cannot be planned for in its space, by its planner; nullopt when it can.
 std::optional<std::string> refusal_of_space(const PlanQuery& query);

@@ -83,7 +83,7 @@ class Matrix {
 
 std::vector<std::vector<PlanResult>> plan_between(std::span<const Station> stations, const PlanQuery& query, const PlanningFields& fields,
                                                   const StationMatrixOptions& options) {
-  if (const auto unfit = refusal_of_weights(query)) throw std::invalid_argument(*unfit);
+  if (const auto unfit = refusal_of_numbers(query)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_space(query)) throw std::invalid_argument(*unfit);
   Matrix matrix(stations, query, fields, options.stop);
   for (std::size_t to = 0; to < stations.size(); ++to) {

@@ -237,7 +237,7 @@ TEST(RiskSources, WithAFaultAreRefused) {
   EXPECT_EQ(fault_of([](RiskSource& source) { source.name = "a b"; }),
             "the name of a risk's source must be made of letters, digits, '_' and '-'");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.name = "alignability"; }), "alignability is a risk's source of its own");
-  EXPECT_EQ(fault_of([](RiskSource& source) { source.weight = -1.0; }), "a source's weight must be at least 0");
+  EXPECT_EQ(fault_of([](RiskSource& source) { source.weight = -1.0; }), "a source's weight must be from 0 to 1e+09");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.safe = 1.0; }), "'risky' and 'safe' must differ");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.safe = std::nan(""); }), "'risky' and 'safe' must be finite");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.unknown = UnknownPolicy::blocked; }),

@@ -3,6 +3,10 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <functional>
+#include <limits>
+
 #include "planner/compare.hpp"
 #include "tests/planner/two_corridors.hpp"
 
@@ -67,6 +71,25 @@ TEST(Plan, StopsWhenAskedTo) {
   const PlanResult result = plan(problem, {.stop = stop.get_token()});
   EXPECT_EQ(result.status, PlanStatus::interrupted);
   EXPECT_TRUE(result.path.empty());
+}
+
+TEST(Plan, RefusesNumbersOutOfRange) {
+  const double kNan = std::nan("");
+  const double kInfinite = std::numeric_limits<double>::infinity();
+  const auto refused = [](const std::function<void(PlanQuery&)>& change) {
+    PlanProblem problem = test::two_corridors();
+    change(problem.query);
+    EXPECT_THROW(plan(problem, {}), std::invalid_argument);
+  };
+  refused([&](PlanQuery& query) { query.start.x = kNan; });
+  refused([&](PlanQuery& query) { query.goal.yaw = kInfinite; });
+  refused([&](PlanQuery& query) { query.weight = 1e10; });
+  refused([&](PlanQuery& query) { query.weight = -1.0; });
+  refused([&](PlanQuery& query) { query.motion.turn_cost = kNan; });
+  refused([&](PlanQuery& query) { query.planner.time = kNan; });
+  refused([&](PlanQuery& query) { query.planner.iterations = 0; });
+  refused([&](PlanQuery& query) { query.recovery_distance = 0.0; });
+  refused([&](PlanQuery& query) { query.max_blind_distance = kNan; });
 }
 
 TEST(Plan, NamesThePlannerItChose) {
