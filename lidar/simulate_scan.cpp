@@ -56,8 +56,8 @@ Scan simulate_scan(const Scene& scene, const LidarModel& model, const Eigen::Iso
   if (!T_map_lidar.matrix().allFinite()) throw std::invalid_argument("a lidar must stand at a finite pose");
   const double range_max = std::min(model.range_max, options.range_max.value_or(model.range_max));
   if (options.range_max && !(*options.range_max > model.range_min)) {
-    throw std::invalid_argument("range_max, " + to_text(*options.range_max) + " m, must be greater than the least range of " + model.name + ", " +
-                                to_text(model.range_min) + " m");
+    throw std::invalid_argument("range_max, " + to_text(*options.range_max) + " m, must be greater than the least range of " + model.name +
+                                ", " + to_text(model.range_min) + " m");
   }
   const bool noisy = noise.has_value() && model.range_stddev > 0.0;
 
