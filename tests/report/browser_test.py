@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: BSD-3-Clause
-# browser_test.py SAMPLE_PAGE [METHOD]: the report's page in headless Chromium. Ends with 77 where there is no Chromium or Selenium.
+# browser_test.py SAMPLE_PAGE [METHOD]: the report's page in headless Chromium. Ends with 77 where Chromium cannot be driven.
 import io
 import json
 import re
 import shutil
+import socket
 import subprocess
 import sys
 import tempfile
@@ -22,6 +23,11 @@ except ImportError:
     sys.exit(77)
 if not (shutil.which("chromium") and shutil.which("chromedriver")):
     print("chromium or chromium-driver is not installed")
+    sys.exit(77)
+try:
+    socket.gethostbyname("localhost")
+except OSError:
+    print("localhost is not known here, by which Chromium and its driver talk")
     sys.exit(77)
 
 SAMPLE_PAGE = sys.argv.pop(1)
