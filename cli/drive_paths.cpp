@@ -32,8 +32,7 @@ std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& s
 }
 
 LocalizerErrors errors_of(const DrivenPath& path, std::size_t localizer, const ClearanceMap& clearance, double radius) {
-  constexpr double kStep = 0.5;
-  return {path_errors({&path.runs, 1}, localizer, clearance, radius, {}), errors_along(path.runs, localizer, kStep)};
+  return {path_errors({&path.runs, 1}, localizer, clearance, radius, {}), errors_along(path.runs, localizer, kErrorStep)};
 }
 
 void warn_of_collisions(std::span<const DrivenPath> paths, const ClearanceMap& clearance, double radius) {

@@ -17,10 +17,13 @@ std::vector<DrivenPath> read_paths(std::span<const std::filesystem::path> files)
 /// The paths with their runs, driven with a progress bar. Throws Interrupted.
 std::vector<DrivenPath> driven(std::vector<DrivenPath> paths, const DriveSite& site, TrialOptions trials);
 
+/// Of profiles of errors along a path [m].
+inline constexpr double kErrorStep = 0.5;
+
 /// How far off one localizer was along one path.
 struct LocalizerErrors {
   PathErrors over_all;
-  std::vector<ErrorAlong> along;  ///< in steps of half a metre
+  std::vector<ErrorAlong> along;  ///< in steps of kErrorStep
 };
 
 /// Of a driven path and one of its localizers, by number; of a disk of that radius [m].

@@ -13,8 +13,6 @@
 namespace alignability::cli {
 namespace {
 
-constexpr double kStep = 0.1;
-
 const char* explanation(PlanStatus status) {
   switch (status) {
     case PlanStatus::solved:
@@ -68,7 +66,7 @@ void write_path_csv(const PlanResult& result, const RiskField& risk, const std::
   std::string text = "x,y,yaw,s,alpha,risk";
   for (const std::string& source : sources) text.append(",").append(source);
   text += '\n';
-  for (const PathSample& at : sample(result.path, risk, kStep)) {
+  for (const PathSample& at : sample(result.path, risk, kPathStep)) {
     const std::string alpha = std::isnan(at.alpha) ? "" : to_text(at.alpha);
     text += to_text(at.pose.x) + ',' + to_text(at.pose.y) + ',' + to_text(at.pose.yaw) + ',' + to_text(at.s) + ',' + alpha + ',' +
             to_text(at.risk);
@@ -97,7 +95,7 @@ DrawnPath drawn(const PlanResult& result, const RiskField& risk, const std::stri
   char figures[64];
   std::snprintf(figures, sizeof figures, ": %.1f m, %.1f m blind", result.figures.length, result.figures.blind_length);
   DrawnPath path{.label = name + figures, .poses = result.path, .profile = {}, .colour = colour, .style = style};
-  for (const PathSample& at : sample(result.path, risk, kStep)) path.profile.push_back({at.s, at.alpha});
+  for (const PathSample& at : sample(result.path, risk, kPathStep)) path.profile.push_back({at.s, at.alpha});
   return path;
 }
 

@@ -10,6 +10,9 @@
 
 namespace alignability::cli {
 
+/// Between the samples of a path in files and pictures [m], beside its own poses.
+inline constexpr double kPathStep = 0.1;
+
 /// x,y,yaw,s,alpha,risk and, where risk has several sources, risk_NAME of each: the path's own poses and others between, at most 10 cm
 /// apart.
 void write_path_csv(const PlanResult& result, const RiskField& risk, const std::filesystem::path& csv);

@@ -5,6 +5,7 @@
 #include "cli/drive_paths.hpp"
 #include "cli/drive_site.hpp"
 #include "cli/interrupt.hpp"
+#include "cli/path_output.hpp"
 #include "cli/problem_options.hpp"
 #include "cli/report_output.hpp"
 #include "core/file.hpp"
@@ -21,9 +22,8 @@ struct Options {
 };
 
 ReportedPath reported(const DrivenPath& path, const RiskField& risk, std::size_t number) {
-  constexpr double kStep = 0.1;
   return {.name = path.name,
-          .samples = sample(path.path, risk, kStep),
+          .samples = sample(path.path, risk, kPathStep),
           .figures = measure(path.path, risk),
           .colour = route_colour(number),
           .style = number == 0 ? LineStyle::dashed : LineStyle::solid};

@@ -4,12 +4,11 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "cli/path_output.hpp"
 #include "core/range.hpp"
 
 namespace alignability::cli {
 namespace {
-
-constexpr double kStep = 0.1;  // between samples of a path [m]
 
 std::string shell_word(const std::string& word) {
   const auto is_plain = [](char c) {
@@ -37,7 +36,7 @@ std::string shell_line(std::span<const std::string> words) {
 
 ReportedPath reported(const PlanResult& result, const RiskField& risk, const std::string& name) {
   return {.name = name,
-          .samples = sample(result.path, risk, kStep),
+          .samples = sample(result.path, risk, kPathStep),
           .figures = result.figures,
           .cost = result.cost,
           .bound = result.lower_bound,

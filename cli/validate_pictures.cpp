@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <limits>
 
+#include "cli/drive_paths.hpp"
 #include "cli/output_name.hpp"
+#include "cli/path_output.hpp"
 #include "pictures/error_map_picture.hpp"
 #include "pictures/error_profile_picture.hpp"
 #include "pictures/scatter_picture.hpp"
@@ -14,8 +16,6 @@
 
 namespace alignability::cli {
 namespace {
-
-constexpr double kStep = 0.5;  // of profiles [m]
 
 std::string title_of(const Validation& validation, const std::filesystem::path& name) {
   return name.filename().string() + ", " + to_string(validation.localizer);
@@ -57,8 +57,8 @@ ErrorProfile profile_of(const DrivenPath& path, std::size_t localizer, const Pat
   std::snprintf(figures, sizeof figures, ": mean %.2f m, 95 %% %.2f m, lost %.0f %%", errors.mean.value, errors.p95.value,
                 100.0 * errors.lost.value);
   ErrorProfile profile{.label = path.name + figures, .errors = {}, .alpha = {}};
-  for (const ErrorAlong& at : errors_along(path.runs, localizer, kStep)) profile.errors.push_back({at.s, at.mean, at.p95});
-  for (const PathSample& at : sample(path.path, risk, 0.1)) profile.alpha.push_back({at.s, at.alpha});
+  for (const ErrorAlong& at : errors_along(path.runs, localizer, kErrorStep)) profile.errors.push_back({at.s, at.mean, at.p95});
+  for (const PathSample& at : sample(path.path, risk, kPathStep)) profile.alpha.push_back({at.s, at.alpha});
   return profile;
 }
 

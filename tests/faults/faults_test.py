@@ -45,6 +45,12 @@ class Faults(unittest.TestCase):
         words = [PROGRAM, *map(str, command)]
         return subprocess.run(words, cwd=folder, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
 
+    def done_once(self, name, command):
+        folder = self.folder / name
+        folder.mkdir()
+        self.assertEqual(self.run_in(folder, command).returncode, 0)
+        return folder
+
     def expect_refusal(self, folder, command, before, **more):
         run = self.run_in(folder, command, **more)
         self.assertEqual(run.returncode, 2, run.stderr)
@@ -55,9 +61,7 @@ class Faults(unittest.TestCase):
         limit = lambda: (resource.setrlimit(resource.RLIMIT_FSIZE, (512, 512)), signal.signal(signal.SIGXFSZ, signal.SIG_IGN))
         for name, command in COMMANDS.items():
             with self.subTest(name):
-                folder = self.folder / name
-                folder.mkdir()
-                self.assertEqual(self.run_in(folder, command).returncode, 0)
+                folder = self.done_once(name, command)
                 before = contents(folder)
                 run = self.run_in(folder, command, preexec_fn=limit)
                 self.assertEqual(run.returncode, 2, run.stderr)
@@ -71,9 +75,7 @@ class Faults(unittest.TestCase):
         self.mounted("size=8m")
         for name, command in COMMANDS.items():
             with self.subTest(name):
-                folder = self.folder / name
-                folder.mkdir()
-                self.assertEqual(self.run_in(folder, command).returncode, 0)
+                folder = self.done_once(name, command)
                 before = contents(folder)
                 with self.full_disk():
                     self.expect_refusal(folder, command, before)
@@ -83,9 +85,7 @@ class Faults(unittest.TestCase):
     def test_a_folder_that_is_shut_is_named(self):
         self.mounted("size=32m")
         for name, command in COMMANDS.items():
-            folder = self.folder / name
-            folder.mkdir()
-            self.assertEqual(self.run_in(folder, command).returncode, 0)
+            self.done_once(name, command)
         subprocess.run(["mount", "-o", "remount,ro", self.folder], check=True)
         for name, command in COMMANDS.items():
             with self.subTest(name):

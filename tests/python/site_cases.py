@@ -5,11 +5,39 @@ import json
 import os
 import pathlib
 import subprocess
+import sys
 import tempfile
+import threading
+import time
 import unittest
 
 SOURCE = pathlib.Path(os.environ["ALIGNABILITY_SOURCE_DIR"])
 WAREHOUSE = SOURCE / "maps/warehouse"
+
+
+def counted_beside(work):
+    """How far another thread counts while `work` runs, where the interpreter's lock is taken from no one who holds it."""
+    counted = 0
+    done = threading.Event()
+
+    def count():
+        nonlocal counted
+        while not done.is_set():
+            counted += 1
+            time.sleep(1e-4)
+
+    interval = sys.getswitchinterval()
+    sys.setswitchinterval(1000)
+    thread = threading.Thread(target=count)
+    thread.start()
+    try:
+        before = counted
+        work()
+        return counted - before
+    finally:
+        done.set()
+        thread.join()
+        sys.setswitchinterval(interval)
 
 
 def program(*arguments, folder="."):
