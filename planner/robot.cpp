@@ -23,6 +23,9 @@ Ring ring_of(const std::vector<Eigen::Vector2d>& corners) {
   return ring;
 }
 
+// Beyond some 1e15 times the shortest edge Boost.Geometry's integers end.
+constexpr double kFarthestCorner = 1000.0;
+
 }  // namespace
 
 double inscribed_radius(const Robot& robot) {
@@ -43,6 +46,8 @@ std::optional<std::string> fault_of_footprint(const std::vector<Eigen::Vector2d>
   if (corners.size() < 3) return "a footprint needs at least 3 corners";
   if (!std::ranges::all_of(corners, [](const Eigen::Vector2d& corner) { return corner.allFinite(); }))
     return "corners must be finite numbers";
+  if (!std::ranges::all_of(corners, [](const Eigen::Vector2d& corner) { return corner.cwiseAbs().maxCoeff() <= kFarthestCorner; }))
+    return "corners must be within 1000 m of base_link";
   bg::validity_failure_type failure{};
   if (bg::is_valid(ring_of(corners), failure)) return std::nullopt;
   switch (failure) {

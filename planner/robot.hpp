@@ -21,8 +21,8 @@ double inscribed_radius(const Robot& robot);
 /// The radius of the smallest disk around `base_link` that holds the outline [m].
 double circumscribed_radius(const Robot& robot);
 
-/// What is wrong with a footprint, in a sentence: too few corners, a number that is not finite, edges that cross or touch; nullopt for a
-/// simple polygon.
+/// What is wrong with a footprint, in a sentence: too few corners, one farther than 1000 m or not finite, edges that cross or touch;
+/// nullopt for a simple polygon.
 std::optional<std::string> fault_of_footprint(const std::vector<Eigen::Vector2d>& corners);
 
 /// The corners in `map` when `base_link` is at a pose.

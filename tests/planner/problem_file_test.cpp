@@ -179,6 +179,8 @@ TEST_F(ProblemFileTest, RefusesWhatIsWrongAtTheLineAndColumnOfIt) {
       {"radius: 0.6", "radius: 0.6, footprint: [[0, 0], [1, 0], [0, 1]]", "problem.yaml:3:17: give 'radius' or 'footprint', not both"},
       {"radius: 0.6", "footprint: [[0, 0], [1, 0]]", "problem.yaml:3:20: a footprint needs at least 3 corners"},
       {"radius: 0.6", "footprint: [[0, 0], [1, 1], [1, 0], [0, 1]]", "the footprint's edges must not cross or touch"},
+      {"radius: 0.6", "footprint: [[0, 0], [1e30, 0], [0, 1]]", "corners must be within 1000 m of base_link"},
+      {"radius: 0.6", "footprint: [[0, 0], [1e-310, 0], [0, 1e-310]]", "the footprint must be a polygon with an area"},
       {"radius: 0.6", "footprint: [[0, 0], [1, 0], [2, 0]]", "the footprint must"},
       {"radius: 0.6", "footprint: [[0, 0], [1, 0], [2]]", "problem.yaml:3:37: 'footprint' must be a list of points [x, y]"},
       {"radius: 0.6", "footprint: [[0, 0], [1, .nan], [2, 1]]", "'footprint' must be a finite number, not .nan"},
