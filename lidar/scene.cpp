@@ -2,7 +2,6 @@
 #include "lidar/scene.hpp"
 
 #include <embree3/rtcore.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -11,6 +10,8 @@
 #include <string>
 #include <type_traits>
 #include <utility>
+
+#include "lidar/in_parallel.hpp"
 
 namespace alignability {
 namespace {
@@ -130,7 +131,7 @@ EmbreeScene build(RTCDevice device, const std::vector<TriangleMesh>& meshes, con
   if (!discs.empty()) attach(device, scene.get(), discs);
   // Embree builds with denormals flushed to zero. Were its commit this thread's first use of TBB, all tasks that the thread
   // starts later would run so too.
-  tbb::parallel_for(0, 1, [](int) {});
+  in_parallel(1, 0, [](std::size_t) {});
   rtcCommitScene(scene.get());
   check(device);
   return scene;
