@@ -10,6 +10,8 @@
 namespace alignability {
 namespace {
 
+constexpr std::size_t kBetweenLooks = 1024;  // cells
+
 // The ends of [low, high] and what lines through the centres of α-cells leave between: where bilinear patches meet.
 std::vector<double> cuts(double low, double high, double first_center, double resolution) {
   std::vector<double> cuts{low};
@@ -45,7 +47,8 @@ std::optional<double> greatest_alpha(const RiskField& risk, const GridGeometry& 
 
 }  // namespace
 
-std::optional<double> greatest_alpha_floor(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
+std::optional<double> greatest_alpha_floor(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+                                           const StopTest& stop) {
   const GridGeometry& map = motion.clearance->geometry();
   const double at_start = motion.risk->greatest_alpha(start), at_goal = motion.risk->greatest_alpha(goal);
   const auto from = map.cell_near(start), to = map.cell_near(goal);
@@ -59,7 +62,8 @@ std::optional<double> greatest_alpha_floor(const PlanarMotion& motion, const Eig
     if (const auto here = greatest_alpha(*motion.risk, map, cell)) front.emplace(std::min(kept, *here), map.index(cell));
   };
   see(*from, std::min(at_start, at_goal));
-  while (!front.empty()) {
+  for (std::size_t popped = 0; !front.empty(); ++popped) {
+    if (popped % kBetweenLooks == 0) stop_if(stop);
     const auto [kept, index] = front.top();
     front.pop();
     const Cell cell = map.cell_of(index);

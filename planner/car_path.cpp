@@ -6,10 +6,10 @@
 
 namespace alignability {
 
-std::optional<std::vector<Pose2>> car_path(const CarTask& task, const std::function<bool()>& stop) {
+std::optional<std::vector<Pose2>> car_path(const CarTask& task, const StopTest& stop) {
   const auto lattice = std::make_shared<const CostLattice>(*task.area.risk_field(), *task.area.clearance_map(),
-                                                           task.objective.options().weight, task.area.inscribed_radius());
-  const CostBound to_go(lattice, task.goal.position(), 0.0);
+                                                           task.objective.options().weight, task.area.inscribed_radius(), stop);
+  const CostBound to_go(lattice, task.goal.position(), 0.0, stop);
   auto poses = search_car_path(task, to_go, stop);
   if (!poses) return std::nullopt;
   return refined(std::move(*poses), task, stop);

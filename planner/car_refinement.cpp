@@ -96,14 +96,15 @@ class Relaxation {
   }
 
   // Each pose but the first moved by steps, from `step` [m] down to a thousandth of it.
-  Poses run(double step, const std::function<bool()>& stop) {
+  Poses run(double step, const StopTest& stop) {
     constexpr int kSweeps = 60;
     std::vector<double> steps(path_.size(), step);
     bool going_on = true;
-    for (int sweep = 0; sweep < kSweeps && going_on && !stop(); ++sweep) {
+    for (int sweep = 0; sweep < kSweeps && going_on; ++sweep) {
       going_on = false;
       for (std::size_t i = 1; i < path_.size(); ++i) {
         if (steps[i] < 1e-3 * step) continue;
+        if (is_told_to_stop(stop)) return path_;
         going_on = true;
         steps[i] *= move(i, steps[i]) ? 1.5 : 0.5;
       }
@@ -158,7 +159,7 @@ class Relaxation {
 
 }  // namespace
 
-std::vector<Pose2> refined(std::vector<Pose2> path, const CarTask& task, const std::function<bool()>& stop) {
+std::vector<Pose2> refined(std::vector<Pose2> path, const CarTask& task, const StopTest& stop) {
   const Steering& steering = *task.objective.steering();
   const double radius = steering.turning_radius();
   const auto shorten = [&](double spacing) {
@@ -167,7 +168,7 @@ std::vector<Pose2> refined(std::vector<Pose2> path, const CarTask& task, const s
   shorten(radius);
   // From coarse to fine. Nearer to one another than a radius, poses cannot be moved but for the arcs that they are joined by.
   for (const double spacing : {4.0 * radius, 2.0 * radius, radius}) {
-    if (stop()) break;
+    if (is_told_to_stop(stop)) break;
     path = Relaxation(subdivided(path, spacing, steering), task).run(0.25 * radius, stop);
     shorten(0.5 * radius);
   }

@@ -21,14 +21,14 @@ class CarSearch {
   CarSearch(const CarTask& task, const CostBound& to_go, double cell)
       : task_(task), to_go_(to_go), cell_(cell), radius_(task.objective.steering()->turning_radius()) {}
 
-  std::optional<std::vector<Pose2>> run(const std::function<bool()>& stop) {
+  std::optional<std::vector<Pose2>> run(const StopTest& stop) {
     constexpr std::size_t kBetweenLooks = 1024;
     reach(task_.start, 0.0, task_.limits.at_start(), kNone);
     for (std::size_t popped = 0; !front_.empty(); ++popped) {
       const auto [cost, node] = front_.top();
       front_.pop();
       if (cost >= cost_to_goal_) break;
-      if (popped % kBetweenLooks == 0 && stop()) return std::nullopt;
+      if (popped % kBetweenLooks == 0) stop_if(stop);
       const Node at = nodes_[node];
       if (!is_front(node)) continue;
       head_for_the_goal(at, node, popped);
@@ -152,11 +152,10 @@ class CarSearch {
 
 }  // namespace
 
-std::optional<std::vector<Pose2>> search_car_path(const CarTask& task, const CostBound& to_go, const std::function<bool()>& stop) {
+std::optional<std::vector<Pose2>> search_car_path(const CarTask& task, const CostBound& to_go, const StopTest& stop) {
   const double resolution = task.area.geometry().resolution;
   const double coarsest = std::clamp(0.25 * task.objective.steering()->turning_radius(), resolution, std::max(resolution, 0.5));
   for (const double finer : {1.0, 2.0, 4.0}) {
-    if (stop()) break;
     if (auto path = CarSearch(task, to_go, coarsest / finer).run(stop)) return path;
   }
   return std::nullopt;

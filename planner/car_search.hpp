@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <optional>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/car_task.hpp"
 #include "planner/cost_bound.hpp"
 
@@ -15,7 +15,7 @@ namespace alignability {
 /// priced exactly; to the goal by a curve. What is left to go it takes from the plane's bound and from the curve's length without
 /// obstacles, somewhat more than that, for a search far narrower. Of two ways to a place and heading, under the task's limits, one is
 /// dropped where the other is neither dearer nor, but for a fiftieth of what they allow, in a worse state. Finer grids where one finds
-/// none. nullopt where none does, or when told to stop.
-std::optional<std::vector<Pose2>> search_car_path(const CarTask& task, const CostBound& to_go, const std::function<bool()>& stop);
+/// none. nullopt where none does. Throws Interrupted.
+std::optional<std::vector<Pose2>> search_car_path(const CarTask& task, const CostBound& to_go, const StopTest& stop);
 
 }  // namespace alignability

@@ -103,17 +103,19 @@ bool is_rough(const Edges& grows, const Corners& cost, double resolution, double
   return kRough * steepest > share * least * resolution;
 }
 
-Interpolation interpolation_of(const CostLattice& lattice, const std::vector<double>& guide) {
+Interpolation interpolation_of(const CostLattice& lattice, const std::vector<double>& guide, const StopTest& stop) {
   const auto row = static_cast<std::size_t>(lattice.geometry.width);
   const double resolution = lattice.geometry.resolution;
   Interpolation made{std::vector<Bends>(guide.size()), std::vector<Inside>(guide.size(), Inside::none)};
   for (std::size_t cell = 0; cell < guide.size(); ++cell) {
+    if (cell % row == 0) stop_if(stop);
     if (!lattice.is_open(cell) || guide[cell] == kInfinite) continue;
     made.bends[cell] = {bend_of(guide, cell, 1), bend_of(guide, cell, row)};
     made.bends[cell + row].right = bend_of(guide, cell + row, 1);
     made.bends[cell + 1].up = bend_of(guide, cell + 1, row);
   }
   for (std::size_t cell = 0; cell < guide.size(); ++cell) {
+    if (cell % row == 0) stop_if(stop);
     if (!lattice.is_open(cell) || guide[cell] == kInfinite) continue;
     const Edges grows = growth(guide, cell, row);
     const Corners cost = corners(lattice.cost, cell, row);
@@ -143,11 +145,13 @@ void limit(float& forth, float& back, double slope, double bent) {
 }
 
 // The limits within which L grows no faster than the cost in any open cell, shared between the axes as the guide grows along them.
-std::vector<Limits> limits_along(const CostLattice& lattice, const std::vector<double>& guide, const Interpolation& interpolation) {
+std::vector<Limits> limits_along(const CostLattice& lattice, const std::vector<double>& guide, const Interpolation& interpolation,
+                                 const StopTest& stop) {
   const auto row = static_cast<std::size_t>(lattice.geometry.width);
   const double resolution = lattice.geometry.resolution;
   std::vector<Limits> limits(guide.size());
   for (std::size_t cell = 0; cell < guide.size(); ++cell) {
+    if (cell % row == 0) stop_if(stop);
     const Inside inside = interpolation.insides[cell];
     if (inside == Inside::none) continue;
     const Edges grows = growth(guide, cell, row);
@@ -180,7 +184,8 @@ std::vector<Limits> limits_along(const CostLattice& lattice, const std::vector<d
 }
 
 // The least that the limits along edges add up to from the seeds.
-std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<Limits>& limits, std::span<const MarchingSeed> seeds) {
+std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<Limits>& limits, std::span<const MarchingSeed> seeds,
+                                  const StopTest& stop) {
   const double resolution = lattice.geometry.resolution;
   const auto row = static_cast<std::size_t>(lattice.geometry.width);
   std::vector<double> way(limits.size(), kInfinite);
@@ -197,7 +202,9 @@ std::vector<double> shortest_ways(const CostLattice& lattice, const std::vector<
     way[to] = reached;
     queue.push(to, reached);
   };
+  std::size_t visited = 0;
   queue.drain([&](std::size_t node) {
+    if (visited++ % row == 0) stop_if(stop);
     improve(node, node + 1, limits[node].right);
     improve(node, node - 1, limits[node - 1].left);
     improve(node, node + row, limits[node].up);
@@ -224,12 +231,12 @@ std::vector<MarchingSeed> corners_around(const CostLattice& lattice, const Eigen
 
 }  // namespace
 
-CostBound::CostBound(std::shared_ptr<const CostLattice> lattice, const Eigen::Vector2d& place, double tolerance)
+CostBound::CostBound(std::shared_ptr<const CostLattice> lattice, const Eigen::Vector2d& place, double tolerance, const StopTest& stop)
     : lattice_(std::move(lattice)), nodes_(lattice_->geometry.size()) {
   const std::vector<MarchingSeed> seeds = corners_around(*lattice_, place, tolerance);
-  const std::vector<double> guide = fast_marching(lattice_->geometry, lattice_->cost, seeds);
-  Interpolation interpolation = interpolation_of(*lattice_, guide);
-  const std::vector<double> way = shortest_ways(*lattice_, limits_along(*lattice_, guide, interpolation), seeds);
+  const std::vector<double> guide = fast_marching(lattice_->geometry, lattice_->cost, seeds, stop);
+  Interpolation interpolation = interpolation_of(*lattice_, guide, stop);
+  const std::vector<double> way = shortest_ways(*lattice_, limits_along(*lattice_, guide, interpolation, stop), seeds, stop);
   insides_ = std::move(interpolation.insides);
   for (std::size_t node = 0; node < nodes_.size(); ++node) {
     nodes_[node] = {way[node], interpolation.bends[node].right, interpolation.bends[node].up};

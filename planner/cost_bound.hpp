@@ -45,8 +45,8 @@ enum class Inside : std::uint8_t {
 /// the corners that they fan out from: docs/planners.md has figures. It gains with a finer map.
 class CostBound {
  public:
-  /// To within `tolerance` [m] of a place. O(cells).
-  CostBound(std::shared_ptr<const CostLattice> lattice, const Eigen::Vector2d& place, double tolerance);
+  /// To within `tolerance` [m] of a place. O(cells). Throws Interrupted.
+  CostBound(std::shared_ptr<const CostLattice> lattice, const Eigen::Vector2d& place, double tolerance, const StopTest& stop = {});
 
   /// [equivalent m]; infinite where no path leads to the disk, which is a proof, and outside of open cells.
   double operator()(const Eigen::Vector2d& point) const;

@@ -11,6 +11,7 @@
 namespace alignability {
 namespace {
 
+constexpr std::size_t kBetweenLooks = 4096;  // nodes: less than a millisecond
 constexpr float kNowhere = std::numeric_limits<float>::infinity();
 
 // Shares in (0,1) of each cell along an axis at which lines run through the nodes of some risk, where that has its kinks.
@@ -78,13 +79,14 @@ GridGeometry ringed(const GridGeometry& map) {
 
 }  // namespace
 
-CostLattice::CostLattice(const RiskField& risk, const ClearanceMap& clearance, double weight, double radius)
+CostLattice::CostLattice(const RiskField& risk, const ClearanceMap& clearance, double weight, double radius, const StopTest& stop)
     : geometry(ringed(clearance.geometry())), cost(geometry.size(), kNowhere), share(geometry.size(), 0.0f) {
   const GridGeometry& map = clearance.geometry();
   const double reach = map.resolution / std::numbers::sqrt2 + 1e-6 * map.resolution;
   const auto columns = kinks_in_cells(geometry, risk, 0);
   const auto rows = kinks_in_cells(geometry, risk, 1);
   for (int y = 1; y <= map.height; ++y) {
+    stop_if(stop);
     for (int x = 1; x <= map.width; ++x) {
       const Cell in_map{x - 1, y - 1};
       if (!clearance.is_free(in_map) || clearance.distance_at(in_map) + reach < radius) continue;
@@ -104,9 +106,11 @@ CostLattice::CostLattice(const RiskField& risk, const ClearanceMap& clearance, d
   }
 }
 
-std::vector<float> drivable_costs(const CostLattice& lattice, const RiskField& risk, const ClearanceMap& clearance, double radius) {
+std::vector<float> drivable_costs(const CostLattice& lattice, const RiskField& risk, const ClearanceMap& clearance, double radius,
+                                  const StopTest& stop) {
   std::vector<float> cost = lattice.cost;
   for (std::size_t node = 0; node < cost.size(); ++node) {
+    if (node % kBetweenLooks == 0) stop_if(stop);
     if (cost[node] == kNowhere) continue;
     const Eigen::Vector2d at = lattice.geometry.corner(lattice.geometry.cell_of(node));
     if (!clearance.is_clear(at, radius) || !risk.is_drivable(at)) cost[node] = kNowhere;
@@ -120,12 +124,13 @@ double dearest(std::span<const float> cost) {
   return static_cast<double>(most);
 }
 
-std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds) {
-  return fast_marching(geometry, cost, seeds, 0, {});
+std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
+                                  const StopTest& stop) {
+  return fast_marching(geometry, cost, seeds, 0, {}, stop);
 }
 
 std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const float> cost, std::span<const MarchingSeed> seeds,
-                                  std::size_t more, std::span<const MarchingLink> links) {
+                                  std::size_t more, std::span<const MarchingLink> links, const StopTest& stop) {
   constexpr double kInfinite = std::numeric_limits<double>::infinity();
   const double step = geometry.resolution;
   const auto row = static_cast<std::size_t>(geometry.width);
@@ -166,7 +171,9 @@ std::vector<double> fast_marching(const GridGeometry& geometry, std::span<const 
       queue.push(link.to, reached);
     }
   };
+  std::size_t visited = 0;
   queue.drain([&](std::size_t node) {
+    if (visited++ % kBetweenLooks == 0) stop_if(stop);
     if (is_linked[node]) follow_links(node);
     if (node >= geometry.size()) return;
     for (const std::size_t next : {node - 1, node + 1, node - row, node + row}) {

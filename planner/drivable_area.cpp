@@ -62,7 +62,7 @@ double DrivableArea::clearance(const Pose2& pose) const {
   return sweep_ ? sweep_->clearance(pose) : clearance_->distance(pose.position()) - inscribed_radius_;
 }
 
-bool DrivableArea::may_connect(const Pose2& from, const Pose2& to, double tolerance) const {
+bool DrivableArea::may_connect(const Pose2& from, const Pose2& to, double tolerance, const StopTest& stop) const {
   const GridGeometry& grid = geometry();
   const auto start = grid.cell_near(from.position());
   if (!start) return false;
@@ -70,7 +70,9 @@ bool DrivableArea::may_connect(const Pose2& from, const Pose2& to, double tolera
   std::vector<bool> seen(grid.size(), false);
   std::vector<Cell> front{*start};
   seen[grid.index(*start)] = true;
-  while (!front.empty()) {
+  constexpr std::size_t kBetweenLooks = 1024;
+  for (std::size_t visited = 0; !front.empty(); ++visited) {
+    if (visited % kBetweenLooks == 0) stop_if(stop);
     const Cell at = front.back();
     front.pop_back();
     const Eigen::AlignedBox2d square(grid.corner(at), grid.corner({at.x + 1, at.y + 1}));

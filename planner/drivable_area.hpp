@@ -4,6 +4,7 @@
 #include <memory>
 #include <optional>
 
+#include "core/progress.hpp"
 #include "costmap/clearance_map.hpp"
 #include "costmap/risk_field.hpp"
 #include "planner/curve.hpp"
@@ -33,7 +34,7 @@ class DrivableArea {
   double clearance(const Pose2& pose) const;
   /// False only if no path leads from one to within `tolerance` [m] of the other: a proof, by flooding every cell in which some
   /// point could hold the largest disk within the robot. O(cells).
-  bool may_connect(const Pose2& from, const Pose2& to, double tolerance) const;
+  bool may_connect(const Pose2& from, const Pose2& to, double tolerance, const StopTest& stop = {}) const;
 
   const GridGeometry& geometry() const { return clearance_->geometry(); }
   const std::shared_ptr<const ClearanceMap>& clearance_map() const { return clearance_; }

@@ -40,22 +40,22 @@ std::vector<double> radii(const DrivableArea& area) {
 
 // Over a lattice of motions that cost the same either way, whether or not the robot's do.
 std::optional<PlanarPath> path_on_lattice(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
-                                          const ob::PlannerTerminationCondition& until) {
-  if (motion.facing == Facing::anywhere) return steepest_path(motion, start, goal);
+                                          const StopTest& stop) {
+  if (motion.facing == Facing::anywhere) return steepest_path(motion, start, goal, stop);
   PlanarMotion either_way = motion;
   either_way.facing = Facing::anywhere;
-  const GoalField field(std::make_shared<const DrivableLattice>(either_way), goal);
-  return field.directed_path_from(start, motion, [&until] { return until.eval(); });
+  const GoalField field(std::make_shared<const DrivableLattice>(either_way, stop), goal, stop);
+  return field.directed_path_from(start, motion, stop);
 }
 
-std::optional<PlanarPath> planar_path(const Task& task, const PlanarMotion& motion, const ob::PlannerTerminationCondition& until) {
+std::optional<PlanarPath> planar_path(const Task& task, const PlanarMotion& motion, const StopTest& stop) {
   const Eigen::Vector2d start = task.start.position();
   const Eigen::Vector2d goal = task.goal.position();
   if (!motion.is_allowed(start, start) || !motion.is_allowed(goal, goal)) return std::nullopt;
-  const auto path = path_on_lattice(motion, start, goal, until);
+  const auto path = path_on_lattice(motion, start, goal, stop);
   if (!path) return std::nullopt;
   // Short of the limit by more than rounding, so that it is met.
-  return cut_within(refined(*path, motion), (1.0 - 1e-6) * task.tolerance.position);
+  return cut_within(refined(*path, motion, stop), (1.0 - 1e-6) * task.tolerance.position);
 }
 
 // Whether it is of importance where the robot faces, beyond what turning costs.
@@ -64,12 +64,12 @@ bool depends_on_heading(const Task& task) {
   return risk.has_headings() && (task.objective.options().weight > 0.0 || risk.options().min_alpha);
 }
 
-std::optional<std::vector<Pose2>> with_headings(const PlanarPath& path, const Task& task, double radius) {
+std::optional<std::vector<Pose2>> with_headings(const PlanarPath& path, const Task& task, double radius, const StopTest& stop) {
   const HeadingEnds ends{task.start.yaw, task.goal.yaw, task.tolerance.heading};
   if (depends_on_heading(task) && !task.faces_ahead) {
     const ObjectiveOptions& by = task.objective.options();
     auto poses = turning_clear(path, ends, task.area, {by.turn_cost, by.weight});
-    return poses ? std::optional(refined(std::move(*poses), {task.area, by.weight, by.turn_cost})) : std::nullopt;
+    return poses ? std::optional(refined(std::move(*poses), {task.area, by.weight, by.turn_cost}, stop)) : std::nullopt;
   }
   if (radius >= task.area.circumscribed_radius()) return turning_evenly(path, ends);
   return turning_clear(path, ends, task.area, {});
@@ -86,32 +86,37 @@ PathPtr as_states(const std::vector<Pose2>& poses, const ob::SpaceInformationPtr
 }
 
 // nullptr where the plane's path for a disk of that radius makes none for the robot.
-PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
+PathPtr path_for_disk(const Task& task, double radius, const ob::SpaceInformationPtr& si, const StopTest& stop) {
   const Facing facing = task.faces_ahead && depends_on_heading(task) ? Facing::ahead : Facing::anywhere;
   const PlanarMotion motion{task.area.risk_field(), task.area.clearance_map(), task.objective.options().weight, radius, facing};
-  const auto planar = planar_path(task, motion, until);
+  const auto planar = planar_path(task, motion, stop);
   if (!planar) return nullptr;
-  const auto poses = with_headings(*planar, task, radius);
+  const auto poses = with_headings(*planar, task, radius, stop);
   if (!poses) return nullptr;
   const PathPtr path = as_states(*poses, si);
   return path->check() ? path : nullptr;
 }
 
-PathPtr best_path_of_disks(const Task& task, const ob::ProblemDefinitionPtr& problem, const ob::PlannerTerminationCondition& until) {
+// Throws Interrupted where there is none yet.
+PathPtr best_path_of_disks(const Task& task, const ob::ProblemDefinitionPtr& problem, const StopTest& stop) {
   const ob::OptimizationObjectivePtr& objective = problem->getOptimizationObjective();
   const ob::SpaceInformationPtr& si = problem->getSpaceInformation();
   PathPtr best;
   for (const double radius : radii(task.area)) {
-    if (until) break;
-    const PathPtr path = path_for_disk(task, radius, si, until);
-    if (path && (!best || path->cost(objective).value() < best->cost(objective).value())) best = path;
+    try {
+      const PathPtr path = path_for_disk(task, radius, si, stop);
+      if (path && (!best || path->cost(objective).value() < best->cost(objective).value())) best = path;
+    } catch (const Interrupted&) {
+      if (!best) throw;
+      break;
+    }
   }
   return best;
 }
 
 // nullptr where the search finds none.
-PathPtr path_of_car(const CarTask& task, const ob::SpaceInformationPtr& si, const ob::PlannerTerminationCondition& until) {
-  const auto poses = car_path(task, [&until] { return until.eval(); });
+PathPtr path_of_car(const CarTask& task, const ob::SpaceInformationPtr& si, const StopTest& stop) {
+  const auto poses = car_path(task, stop);
   if (!poses) return nullptr;
   const PathPtr path = as_states(*poses, si);
   return path->check() ? path : nullptr;
@@ -155,15 +160,14 @@ ob::PlannerStatus FieldPlanner::solve(const ob::PlannerTerminationCondition& unt
                   objective.pose_of(goal),
                   region == nullptr ? GoalTolerance{0.0, 0.0} : region->tolerance(),
                   !has_heading(*si_->getStateSpace())};
-  if (objective.steering() == nullptr) {
-    path_ = best_path_of_disks(task, pdef_, until);
-  } else {
-    path_ = path_of_car({task.area, objective, task.start, task.goal, task.tolerance}, si_, until);
-    if (!path_ && until) {
-      // The search was cut short: the next call begins it anew.
-      pis_.restart();
-      return ob::PlannerStatus::TIMEOUT;
-    }
+  const StopTest stop = [&until] { return until.eval(); };
+  try {
+    path_ = objective.steering() == nullptr ? best_path_of_disks(task, pdef_, stop)
+                                            : path_of_car({task.area, objective, task.start, task.goal, task.tolerance}, si_, stop);
+  } catch (const Interrupted&) {
+    // The next call begins anew.
+    pis_.restart();
+    return ob::PlannerStatus::TIMEOUT;
   }
   return path_ ? add_path() : search_on(until);
 }
@@ -187,7 +191,9 @@ ob::PlannerStatus FieldPlanner::search_on(const ob::PlannerTerminationCondition&
     search_->setProblemDefinition(pdef_);
     search_->setup();
   }
-  return search_->solve(until);
+  if (!search_iterations_) return search_->solve(until);
+  std::int64_t asked = 0;
+  return search_->solve(ob::PlannerTerminationCondition([&] { return until.eval() || asked++ >= *search_iterations_; }));
 }
 
 void FieldPlanner::clear() {

@@ -4,6 +4,10 @@
 #include <ompl/base/Planner.h>
 #include <ompl/geometric/PathGeometric.h>
 
+#include <cstdint>
+#include <memory>
+#include <optional>
+
 #include "planner/drivable_area.hpp"
 
 namespace alignability {
@@ -17,10 +21,13 @@ namespace alignability {
 /// must turn where the plane knows nothing of it), BIT* goes on until the termination condition.
 ///
 /// In R², SE(2), Dubins and Reeds-Shepp spaces, one start and one goal state (a PoseGoal's tolerance is used), with a DrivabilityChecker
-/// and an AlignabilityObjective. The termination condition is asked between steps of O(cells).
+/// and an AlignabilityObjective. The termination condition is asked every millisecond or so.
 class FieldPlanner : public ompl::base::Planner {
  public:
   explicit FieldPlanner(const ompl::base::SpaceInformationPtr& si);
+
+  /// How often BIT* asks the termination condition at most, where it goes on; as often as it likes without.
+  void set_search_iterations(std::int64_t most) { search_iterations_ = most; }
 
   /// Throws ompl::Exception where the checker or the objective is another.
   void setup() override;
@@ -36,6 +43,7 @@ class FieldPlanner : public ompl::base::Planner {
 
   std::shared_ptr<ompl::geometric::PathGeometric> path_;
   ompl::base::PlannerPtr search_;
+  std::optional<std::int64_t> search_iterations_;
 };
 
 }  // namespace alignability

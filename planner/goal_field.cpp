@@ -26,21 +26,21 @@ void visit_nodes_around(const DrivableLattice& lattice, const Eigen::Vector2d& a
 
 }  // namespace
 
-DrivableLattice::DrivableLattice(const PlanarMotion& of) : motion(of) {
-  const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius);
+DrivableLattice::DrivableLattice(const PlanarMotion& of, const StopTest& stop) : motion(of) {
+  const CostLattice lattice(*motion.risk, *motion.clearance, motion.weight, motion.radius, stop);
   grid = lattice.geometry;
-  cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius);
-  passages = passage_nodes(lattice, cost, motion);
+  cost = drivable_costs(lattice, *motion.risk, *motion.clearance, motion.radius, stop);
+  passages = passage_nodes(lattice, cost, motion, stop);
 }
 
-GoalField::GoalField(std::shared_ptr<const DrivableLattice> lattice, const Eigen::Vector2d& goal)
+GoalField::GoalField(std::shared_ptr<const DrivableLattice> lattice, const Eigen::Vector2d& goal, const StopTest& stop)
     : lattice_(std::move(lattice)), goal_(goal) {
   std::vector<MarchingSeed> seeds;
   visit_nodes_around(*lattice_, goal, [&](std::size_t node, const Eigen::Vector2d& at) {
     const bool is_node = node >= lattice_->grid.size() || std::isfinite(lattice_->cost[node]);
     if (is_node && lattice_->motion.is_allowed(at, goal)) seeds.push_back({node, lattice_->motion.cost(at, goal)});
   });
-  to_go_ = fast_marching(lattice_->grid, lattice_->cost, seeds, lattice_->passages.places.size(), lattice_->passages.links);
+  to_go_ = fast_marching(lattice_->grid, lattice_->cost, seeds, lattice_->passages.places.size(), lattice_->passages.links, stop);
 }
 
 std::optional<PlanarPath> GoalField::path_from(const Eigen::Vector2d& start) const {
@@ -76,14 +76,14 @@ class DirectedSearch {
   DirectedSearch(const DrivableLattice& lattice, const std::vector<double>& to_go, const PlanarMotion& driven, const Eigen::Vector2d& goal)
       : lattice_(lattice), to_go_(to_go), driven_(driven), goal_(goal), nodes_(to_go.size()) {}
 
-  std::optional<PlanarPath> run(const Eigen::Vector2d& start, const std::function<bool()>& stop) {
+  std::optional<PlanarPath> run(const Eigen::Vector2d& start, const StopTest& stop) {
     constexpr std::size_t kBetweenLooks = 1024;
     best_ = straight(start);
     visit_nodes_around(lattice_, start, [&](std::size_t node, const Eigen::Vector2d&) { reach(node, start, 0.0, kNone); });
     for (std::size_t popped = 0; !front_.empty() && front_.top().first < best_; ++popped) {
       const auto [estimate, node] = front_.top();
       front_.pop();
-      if (popped % kBetweenLooks == 0 && stop()) return std::nullopt;
+      if (popped % kBetweenLooks == 0) stop_if(stop);
       if (estimate > nodes_[node].cost + to_go_[node]) continue;
       head_for_the_goal(node);
       expand(node);
@@ -161,12 +161,13 @@ class DirectedSearch {
 }  // namespace
 
 std::optional<PlanarPath> GoalField::directed_path_from(const Eigen::Vector2d& start, const PlanarMotion& driven,
-                                                        const std::function<bool()>& stop) const {
+                                                        const StopTest& stop) const {
   return DirectedSearch(*lattice_, to_go_, driven, goal_).run(start, stop);
 }
 
-std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal) {
-  return GoalField(std::make_shared<const DrivableLattice>(motion), goal).path_from(start);
+std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+                                        const StopTest& stop) {
+  return GoalField(std::make_shared<const DrivableLattice>(motion, stop), goal, stop).path_from(start);
 }
 
 }  // namespace alignability

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/cost_lattice.hpp"
 #include "planner/passage_nodes.hpp"
 #include "planner/planar_path.hpp"
@@ -14,8 +14,8 @@ namespace alignability {
 
 /// Where a disk can be driven, as a lattice that fields are marched on: what all goals share. Immutable.
 struct DrivableLattice {
-  /// O(cells).
-  explicit DrivableLattice(const PlanarMotion& motion);
+  /// O(cells). Throws Interrupted.
+  explicit DrivableLattice(const PlanarMotion& motion, const StopTest& stop = {});
 
   PlanarMotion motion;
   GridGeometry grid;
@@ -26,17 +26,16 @@ struct DrivableLattice {
 /// The optimal cost-to-go to one place: near the optimum of all paths by as much as fast marching is. Immutable.
 class GoalField {
  public:
-  /// The goal must be allowed. O(cells).
-  GoalField(std::shared_ptr<const DrivableLattice> lattice, const Eigen::Vector2d& goal);
+  /// The goal must be allowed. O(cells). Throws Interrupted.
+  GoalField(std::shared_ptr<const DrivableLattice> lattice, const Eigen::Vector2d& goal, const StopTest& stop = {});
 
   /// The path down the field, from node to node of the lattice and of its narrow passages, each motion allowed; nullopt where none leads.
   /// The start must be allowed. O(length).
   std::optional<PlanarPath> path_from(const Eigen::Vector2d& start) const;
 
   /// The path for motions that cost something else one way than the other: those of `driven`, at least what the lattice's cost. By A* from
-  /// node to node, guided by the field: near the cheapest on the lattice. nullopt likewise, and when told to stop.
-  std::optional<PlanarPath> directed_path_from(const Eigen::Vector2d& start, const PlanarMotion& driven,
-                                               const std::function<bool()>& stop) const;
+  /// node to node, guided by the field: near the cheapest on the lattice. nullopt likewise. Throws Interrupted.
+  std::optional<PlanarPath> directed_path_from(const Eigen::Vector2d& start, const PlanarMotion& driven, const StopTest& stop = {}) const;
 
  private:
   // Ordered by cost: of getting from a place straight to some node and on from there.
@@ -53,7 +52,9 @@ class GoalField {
   std::vector<double> to_go_;  // by node
 };
 
-/// The path down the optimal cost-to-go from a start to a goal. Both places must be allowed. O(cells).
-std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal);
+/// The path down the optimal cost-to-go from a start to a goal. Both places must be allowed. O(cells). Throws
+/// Interrupted.
+std::optional<PlanarPath> steepest_path(const PlanarMotion& motion, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
+                                        const StopTest& stop = {});
 
 }  // namespace alignability

@@ -5,19 +5,21 @@
 
 namespace alignability {
 
-std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const std::stop_token& stop) {
+std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const StopTest& stop) {
   constexpr double kNear = 1e-3;
   double too_little = range.least;
   double enough = std::max(2.0 * range.least, kNear);
   for (; !does(enough); enough *= 2.0) {
-    if (enough > range.most || stop.stop_requested()) return std::nullopt;
+    stop_if(stop);
+    if (enough > range.most) return std::nullopt;
     too_little = enough;
   }
   while (enough - too_little > std::max(0.01 * enough, kNear)) {
     const double middle = 0.5 * (enough + too_little);
     (does(middle) ? enough : too_little) = middle;
   }
-  return stop.stop_requested() ? std::nullopt : std::optional(enough);
+  stop_if(stop);
+  return enough;
 }
 
 }  // namespace alignability

@@ -3,7 +3,8 @@
 
 #include <functional>
 #include <optional>
-#include <stop_token>
+
+#include "core/progress.hpp"
 
 namespace alignability {
 
@@ -13,8 +14,8 @@ struct LimitRange {
   double most = 0.0;   ///< a greater one will do no more
 };
 
-/// The smallest limit that does, to within 1 % or a thousandth, itself one that does; nullopt where none does, and when stopped. What does
-/// must do when greater.
-std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const std::stop_token& stop);
+/// The smallest limit that does, to within 1 % or a thousandth, itself one that does; nullopt where none does. Throws Interrupted. What
+/// does must do when greater.
+std::optional<double> least_limit(const LimitRange& range, const std::function<bool(double)>& does, const StopTest& stop);
 
 }  // namespace alignability

@@ -46,11 +46,13 @@ PlanarPath with_shortcuts(PlanarPath path, const PlanarMotion& motion, const Pat
   return path;
 }
 
-PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const PathLimits& limits, double tolerance) {
+PlanarPath freed(PlanarPath path, const PlanarMotion& motion, const PathLimits& limits, double tolerance, const StopTest& stop) {
   path = with_shortcuts(std::move(path), motion, limits, tolerance);
   for (const double spacing : {2.0, 1.0, 0.5}) {
+    if (is_told_to_stop(stop)) break;
     path = subdivided(path, spacing, motion);
-    relax(path, motion, 0.25 * spacing, [&](const PlanarPath& moved) { return is_kept(moved, motion, limits, tolerance); });
+    relax(
+        path, motion, 0.25 * spacing, [&](const PlanarPath& moved) { return is_kept(moved, motion, limits, tolerance); }, stop);
     path = with_shortcuts(std::move(path), motion, limits, tolerance);
   }
   return path;
@@ -66,23 +68,22 @@ double longest_way(const PlanarMotion& motion) {
 
 bool keeps(const PlanarPath& path, const PlanarMotion& motion, const PathLimits& limits) { return is_kept(path, motion, limits, 0.0); }
 
-std::optional<PlanarPath> path_within(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
-                                      const std::stop_token& stop) {
+std::optional<PlanarPath> path_within(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way, const StopTest& stop) {
   if (limits.error && limits.error->model.least > limits.error->most) return std::nullopt;
   for (const double spacing : kSpacings) {
     const LimitedSearch search(motion, limits, spacing, way, stop);
     const auto any = search.any(limits, kAlike[1]);
     if (!any) continue;
     for (const double alike : kAlike) {
-      if (const auto path = search.cheapest(alike)) return freed(*path, motion, limits, way.tolerance);
+      if (const auto path = search.cheapest(alike)) return freed(*path, motion, limits, way.tolerance, stop);
     }
-    return freed(*any, motion, limits, way.tolerance);
+    return freed(*any, motion, limits, way.tolerance, stop);
   }
   return std::nullopt;
 }
 
 std::optional<double> smallest_max_error(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
-                                         const std::stop_token& stop) {
+                                         const StopTest& stop) {
   const ErrorModel& model = limits.error->model;
   const LimitedSearch search(motion, limits, kSpacings[1], way, stop);
   const LimitRange range{.least = model.least, .most = model.least + model.growth * longest_way(motion)};
@@ -95,7 +96,7 @@ std::optional<double> smallest_max_error(const PlanarMotion& motion, const PathL
 }
 
 std::optional<double> smallest_max_blind_distance(const PlanarMotion& motion, const PathLimits& limits, const LimitedWay& way,
-                                                  const std::stop_token& stop) {
+                                                  const StopTest& stop) {
   const LimitedSearch search(motion, limits, kSpacings[1], way, stop);
   const auto does = [&](double most) {
     PathLimits tried = limits;

@@ -2,8 +2,6 @@
 #include "planner/limited_plan.hpp"
 
 #include <algorithm>
-#include <chrono>
-#include <functional>
 
 #include "planner/car_path.hpp"
 #include "planner/limited_path.hpp"
@@ -24,7 +22,7 @@ struct Limited {
   const std::optional<ErrorModel>& model;
   const DrivableArea& area;
   const AlignabilityObjective& objective;
-  std::stop_token stop;
+  const StopTest& stop;
 
   const PlanQuery& query() const { return free.query; }
   bool is_car() const { return objective.steering() != nullptr; }
@@ -37,13 +35,6 @@ struct Limited {
   PlanarMotion motion() const { return {area.risk_field(), area.clearance_map(), query().weight, area.circumscribed_radius()}; }
   CarTask car_task(const PathLimits& limits) const {
     return {area, objective, query().start, query().goal, query().goal_tolerance, limits};
-  }
-  // A search of all a car's poses may take long to find none: by the planner's time, but where plans are to repeat.
-  std::function<bool()> stopping() const {
-    const auto deadline = std::chrono::steady_clock::now() + std::chrono::duration<double>(query().planner.time);
-    return [stop = stop, deadline, is_timed = !query().planner.iterations] {
-      return stop.stop_requested() || (is_timed && std::chrono::steady_clock::now() > deadline);
-    };
   }
   // Short of the tolerance by as much as the path is cut.
   LimitedWay way() const { return {query().start.position(), query().goal.position(), (1.0 - 1e-6) * query().goal_tolerance.position}; }
@@ -83,22 +74,24 @@ PlanResult solved_by_car(const std::vector<Pose2>& poses, const Limited& limited
 
 std::optional<PlanResult> plan_within(const Limited& limited, const PathLimits& limits) {
   if (limited.is_car()) {
-    const auto poses = car_path(limited.car_task(limits), limited.stopping());
+    const auto poses = car_path(limited.car_task(limits), limited.stop);
     return poses ? std::optional(solved_by_car(*poses, limited)) : std::nullopt;
   }
   const auto path = path_within(limited.motion(), limits, limited.way(), limited.stop);
   return path ? std::optional(solved_along(*path, limited.query(), *limited.area.risk_field())) : std::nullopt;
 }
 
-// Of a car nothing is sought: that a search of all its poses finds none takes too long to ask again and again.
-std::optional<double> smallest_max_error(const Limited& limited) {
-  if (limited.is_car()) return std::nullopt;
-  return smallest_max_error(limited.motion(), limited.limits(1.0), limited.way(), limited.stop);
-}
+using SmallestLimit = std::optional<double> (*)(const PlanarMotion&, const PathLimits&, const LimitedWay&, const StopTest&);
 
-std::optional<double> smallest_max_blind_distance(const Limited& limited) {
+// nullopt where the time does not suffice. Of a car nothing is sought: that a search of all its poses finds none takes too long to ask
+// again and again.
+std::optional<double> smallest_in_time(const Limited& limited, SmallestLimit smallest) {
   if (limited.is_car()) return std::nullopt;
-  return smallest_max_blind_distance(limited.motion(), limited.limits(1.0), limited.way(), limited.stop);
+  try {
+    return smallest(limited.motion(), limited.limits(1.0), limited.way(), limited.stop);
+  } catch (const Interrupted&) {
+    return std::nullopt;
+  }
 }
 
 // What was found, or what the free plan comes to where that does and is less.
@@ -112,13 +105,13 @@ PlanResult infeasible(const Limited& limited) {
   none.query = limited.query();
   none.lower_bound = limited.free.lower_bound;
   if (none.query.max_error) {
-    auto smallest = smallest_max_error(limited);
+    auto smallest = smallest_in_time(limited, smallest_max_error);
     if (smallest) *smallest /= kStricter[0];
     none.smallest_max_error = smaller(smallest, keeps_blind_distance(limited.free), *limited.free.predicted_error);
   }
   if (none.query.max_blind_distance) {
     none.smallest_max_blind_distance =
-        smaller(smallest_max_blind_distance(limited), keeps_error(limited.free), *limited.free.longest_unrecovered);
+        smaller(smallest_in_time(limited, smallest_max_blind_distance), keeps_error(limited.free), *limited.free.longest_unrecovered);
   }
   return none;
 }
@@ -145,7 +138,7 @@ std::optional<std::string> refusal_by_headings(const PlanQuery& query, const Ris
 }
 
 PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area,
-                        const AlignabilityObjective& objective, const std::stop_token& stop) {
+                        const AlignabilityObjective& objective, const StopTest& stop) {
   result = with_states(std::move(result), model, *area.risk_field());
   if (keeps_error(result) && keeps_blind_distance(result)) return result;
   const Limited limited{result, model, area, objective, stop};

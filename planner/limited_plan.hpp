@@ -2,9 +2,9 @@
 #pragma once
 
 #include <optional>
-#include <stop_token>
 #include <string>
 
+#include "core/progress.hpp"
 #include "planner/alignability_objective.hpp"
 #include "planner/drivable_area.hpp"
 #include "planner/plan.hpp"
@@ -20,8 +20,8 @@ std::optional<std::string> refusal_by_headings(const PlanQuery& query, const Ris
 
 /// A solved plan with the error that a model predicts on its path, and how blind it gets; where that exceeds the query's limits, with
 /// another path that keeps them: in R² and SE(2) one along which a disk turns evenly, for a car one of the objective's curves. Infeasible
-/// where none is found.
+/// where none is found. Throws Interrupted.
 PlanResult within_limit(PlanResult result, const std::optional<ErrorModel>& model, const DrivableArea& area,
-                        const AlignabilityObjective& objective, const std::stop_token& stop);
+                        const AlignabilityObjective& objective, const StopTest& stop);
 
 }  // namespace alignability

@@ -41,14 +41,15 @@ class Fronts {
 }  // namespace
 
 LimitedSearch::LimitedSearch(const PlanarMotion& motion, const PathLimits& limits, double spacing, const LimitedWay& way,
-                             const std::stop_token& stop)
+                             const StopTest& stop)
     : motion_(motion),
       limits_(limits),
       grid_(grid_over(motion.clearance->geometry(), spacing)),
       way_(way),
       stop_(stop),
       edges_(grid_.size() + 2) {
-  for (std::size_t node = 0; node < grid_.size() && !stop_.stop_requested(); ++node) {
+  for (std::size_t node = 0; node < grid_.size(); ++node) {
+    stop_if(stop_);
     if (motion_.is_allowed(place(node), place(node))) connect(node);
   }
   connect_near(at_start(), kNear);
@@ -71,7 +72,8 @@ std::optional<PlanarPath> LimitedSearch::search(const PathLimits& limits, double
   std::vector<Label> labels{{at_start(), 0, 0.0, limits.at_start()}};
   Queue queue;
   queue.push({rank(labels.front()), 0});
-  while (!queue.empty() && !stop_.stop_requested()) {
+  while (!queue.empty()) {
+    stop_if(stop_);
     const std::size_t number = queue.top().second;
     queue.pop();
     const Label label = labels[number];

@@ -4,9 +4,9 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
-#include <stop_token>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/limited_path.hpp"
 
 namespace alignability::detail {
@@ -17,13 +17,13 @@ class LimitedSearch {
  public:
   /// Over places every `spacing` metres. Start and goal must be allowed. Within the tolerance of the goal the limits need not be kept: the
   /// way ends there. O(area / spacing²), some 900 bytes a place. Stopped, it finds no way.
-  LimitedSearch(const PlanarMotion& motion, const PathLimits& limits, double spacing, const LimitedWay& way, const std::stop_token& stop);
+  LimitedSearch(const PlanarMotion& motion, const PathLimits& limits, double spacing, const LimitedWay& way, const StopTest& stop);
 
-  /// Some way that keeps limits, which may be others of the same kinds; nullopt where there is none, and when stopped.
+  /// Some way that keeps limits, which may be others of the same kinds; nullopt where there is none. Throws Interrupted.
   std::optional<PlanarPath> any(const PathLimits& limits, double alike) const;
 
-  /// The cheapest way that keeps the limits, but for what `alike` costs; nullopt where there is none, and when stopped. By A* over labels,
-  /// a place and a state each, those dropped that another at the place makes superfluous (Handler and Zang 1980).
+  /// The cheapest way that keeps the limits, but for what `alike` costs; nullopt where there is none. Throws Interrupted. By A* over
+  /// labels, a place and a state each, those dropped that another at the place makes superfluous (Handler and Zang 1980).
   std::optional<PlanarPath> cheapest(double alike) const;
 
  private:
@@ -65,7 +65,7 @@ class LimitedSearch {
   PathLimits limits_;
   GridGeometry grid_;
   LimitedWay way_;
-  std::stop_token stop_;
+  StopTest stop_;
   std::vector<std::vector<Edge>> edges_;
 };
 

@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/cost_lattice.hpp"
 #include "planner/planar_path.hpp"
 
@@ -21,7 +22,7 @@ struct PassageNodes {
 };
 
 /// `costs` as drivable_costs has them. O(cells).
-PassageNodes passage_nodes(const CostLattice& lattice, std::span<const float> costs, const PlanarMotion& motion);
+PassageNodes passage_nodes(const CostLattice& lattice, std::span<const float> costs, const PlanarMotion& motion, const StopTest& stop = {});
 
 /// Calls `visit(i)` for each place in a cell within `reach` cells of the one that has `at`, along either axis.
 template <typename Visit>

@@ -17,7 +17,7 @@ bool is_solution(og::PathGeometric& path, const ob::ProblemDefinition& problem) 
 
 }  // namespace
 
-og::PathGeometric shortened(const og::PathGeometric& path, const ob::ProblemDefinition& problem) {
+og::PathGeometric shortened(const og::PathGeometric& path, const ob::ProblemDefinition& problem, const StopTest& stop) {
   constexpr int kRounds = 8;
   constexpr double kWorthAnotherRound = 1e-3;  // of the cost
   const ob::OptimizationObjectivePtr& objective = problem.getOptimizationObjective();
@@ -26,6 +26,7 @@ og::PathGeometric shortened(const og::PathGeometric& path, const ob::ProblemDefi
   constexpr double kPerturbation = 0.3;
   og::PathGeometric best = path;
   for (int round = 0; round < kRounds; ++round) {
+    if (is_told_to_stop(stop)) break;
     og::PathGeometric candidate = best;
     simplifier.shortcutPath(candidate);
     simplifier.perturbPath(candidate, kPerturbation);

@@ -27,6 +27,7 @@
 #include "planner/path_shortening.hpp"
 #include "planner/planners.hpp"
 #include "planner/poses.hpp"
+#include "planner/time_limit.hpp"
 
 namespace alignability {
 namespace {
@@ -59,22 +60,22 @@ bool may_be_at(const Pose2& pose, const PlanQuery& query, const DrivableArea& ar
 }
 
 // But for the floor of α.
-std::optional<PlanStatus> refusal_by_obstacles(const PlanQuery& query, const DrivableArea& area) {
+std::optional<PlanStatus> refusal_by_obstacles(const PlanQuery& query, const DrivableArea& area, const StopTest& stop) {
   if (!area.geometry().cell_near(query.start.position())) return PlanStatus::start_outside_map;
   if (!area.geometry().cell_near(query.goal.position())) return PlanStatus::goal_outside_map;
   if (!may_be_at(query.start, query, area)) return PlanStatus::start_in_collision;
   if (!may_be_at(query.goal, query, area)) return PlanStatus::goal_in_collision;
-  if (!area.may_connect(query.start, query.goal, query.goal_tolerance.position)) return PlanStatus::no_path;
+  if (!area.may_connect(query.start, query.goal, query.goal_tolerance.position, stop)) return PlanStatus::no_path;
   return std::nullopt;
 }
 
-std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area) {
+std::optional<PlanStatus> refusal(const PlanQuery& query, const DrivableArea& area, const StopTest& stop) {
   const auto& floor = area.risk_field()->options().min_alpha;
-  if (!floor) return refusal_by_obstacles(query, area);
+  if (!floor) return refusal_by_obstacles(query, area, stop);
   const auto risk = std::make_shared<const RiskField>(area.risk_field()->with_floor(std::nullopt));
-  if (const auto refused = refusal_by_obstacles(query, DrivableArea(area.clearance_map(), risk, query.robot))) return refused;
+  if (const auto refused = refusal_by_obstacles(query, DrivableArea(area.clearance_map(), risk, query.robot), stop)) return refused;
   const PlanarMotion motion{risk, area.clearance_map(), query.weight, area.inscribed_radius()};
-  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
+  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position(), stop);
   return greatest && *greatest >= *floor ? std::nullopt : std::optional(PlanStatus::infeasible);
 }
 
@@ -129,14 +130,11 @@ ob::ProblemDefinitionPtr make_definition(const PlanQuery& query, const ob::Space
   return definition;
 }
 
-ob::PlannerTerminationCondition until(const PlannerChoice& choice, const std::stop_token& stop) {
-  const ob::PlannerTerminationCondition stopped([stop] { return stop.stop_requested(); });
-  if (choice.iterations && counts_its_own_iterations(choice.name)) return stopped;
-  if (!choice.iterations) return ob::plannerOrTerminationCondition(stopped, ob::timedPlannerTerminationCondition(choice.time));
+ob::PlannerTerminationCondition until(const PlannerChoice& choice, const StopTest& stop) {
+  if (!choice.iterations || counts_its_own_iterations(choice.name)) return ob::PlannerTerminationCondition(stop);
   // OMPL's own counter is no atomic, and CForest and PRM ask from several threads.
   const auto asked = std::make_shared<std::atomic<std::int64_t>>(0);
-  return ob::PlannerTerminationCondition(
-      [stop, asked, limit = *choice.iterations] { return stop.stop_requested() || asked->fetch_add(1) >= limit; });
+  return ob::PlannerTerminationCondition([stop, asked, limit = *choice.iterations] { return stop() || asked->fetch_add(1) >= limit; });
 }
 
 // CForest gives its path in a wrapper of the space.
@@ -180,7 +178,7 @@ og::PathGeometric standing_path(const ob::ProblemDefinition& definition) {
 }
 
 // The planner's path, shortened; nullopt when it found none.
-std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions& options, const ob::ProblemDefinitionPtr& definition,
+std::optional<og::PathGeometric> solve(const PlanQuery& query, const detail::TimeLimit& limit, const ob::ProblemDefinitionPtr& definition,
                                        const Stopwatch& watch, PlanResult& result) {
   if (definition->getGoal()->isSatisfied(definition->getStartState(0))) {
     result.first_solution_seconds = watch.seconds();
@@ -199,7 +197,7 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
   const ob::PlannerPtr planner = make_planner(query.planner, definition->getSpaceInformation());
   planner->setProblemDefinition(definition);
   planner->setup();
-  const ob::PlannerStatus status = planner->solve(until(query.planner, options.stop));
+  const ob::PlannerStatus status = planner->solve(until(query.planner, limit.search()));
   definition->setIntermediateSolutionCallback({});
   if (status != ob::PlannerStatus::EXACT_SOLUTION) {
     result.first_solution_seconds.reset();
@@ -212,7 +210,7 @@ std::optional<og::PathGeometric> solve(const PlanQuery& query, const PlanOptions
     result.first_solution_seconds.reset();
     return std::nullopt;
   }
-  return shortened(found, *definition);
+  return shortened(found, *definition, limit.afterwards());
 }
 
 double least_turning(const PlanQuery& query) {
@@ -221,22 +219,30 @@ double least_turning(const PlanQuery& query) {
   return query.motion.turn_cost * std::max(0.0, turn);
 }
 
-// Of the way in the plane: by the bounds that the search goes by, or by one for the way to the goal alone, made while it runs.
-std::future<double> least_along(const PlanQuery& query, const DrivableArea& area, const std::shared_ptr<const RouteBounds>& bounds) {
-  return std::async(bounds ? std::launch::deferred : std::launch::async, [&query, &area, bounds] {
+// Of the way in the plane: by the bounds that the search goes by, or by one for the way to the goal alone, made while it runs; where there
+// is no time for that, its straight length.
+std::future<double> least_along(const PlanQuery& query, const DrivableArea& area, const std::shared_ptr<const RouteBounds>& bounds,
+                                const StopTest& stop) {
+  return std::async(bounds ? std::launch::deferred : std::launch::async, [&query, &area, bounds, stop] {
     const Eigen::Vector2d start = query.start.position();
+    const Eigen::Vector2d goal = query.goal.position();
     if (bounds) return bounds->to_goal(start);
-    const auto lattice =
-        std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), query.weight, area.inscribed_radius());
-    return CostBound(lattice, query.goal.position(), query.goal_tolerance.position)(start);
+    try {
+      const auto lattice =
+          std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), query.weight, area.inscribed_radius(), stop);
+      return CostBound(lattice, goal, query.goal_tolerance.position, stop)(start);
+    } catch (const Interrupted&) {
+      return std::max(0.0, (goal - start).norm() - query.goal_tolerance.position);
+    }
   });
 }
 
-// Of floors at which there may be a way, the first of a few, from the greatest down, with which a path is found.
-std::optional<double> floor_with_a_path(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options) {
+// Of floors at which there may be a way, the first of a few, from the greatest down, with which a path is found in what time is left.
+std::optional<double> floor_with_a_path(const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options,
+                                        const StopTest& stop) {
   constexpr double kLower[] = {0.0, 0.002, 0.01, 0.03, 0.1, 0.2};
   const PlanarMotion motion{fields.risk, fields.clearance, query.weight, inscribed_radius(query.robot)};
-  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position());
+  const auto greatest = greatest_alpha_floor(motion, query.start.position(), query.goal.position(), stop);
   if (!greatest) return std::nullopt;
   PlanQuery lower = query;
   lower.max_error.reset();
@@ -245,18 +251,39 @@ std::optional<double> floor_with_a_path(const PlanQuery& query, const PlanningFi
   for (const double by : kLower) {
     PlanningFields lowered = fields;
     const double floor = std::floor(1000.0 * (*greatest - by)) / 1000.0;
-    if (floor < 0.0 || options.stop.stop_requested()) break;
+    if (floor < 0.0 || stop()) break;
     lowered.risk = std::make_shared<const RiskField>(fields.risk->with_floor(floor));
     if (plan(lower, lowered, options).status == PlanStatus::solved) return floor;
   }
   return std::nullopt;
 }
 
-PlanResult interrupted(const PlanQuery& query) {
-  PlanResult result;
-  result.status = PlanStatus::interrupted;
-  result.query = query;
-  return result;
+// Throws Interrupted where the time is over before there is a path, or one within the limits.
+void solve_in_time(PlanResult& result, const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options,
+                   const Stopwatch& watch) {
+  const detail::TimeLimit limit(result.query.planner, options.stop);
+  const DrivableArea area(fields.clearance, fields.risk, query.robot);
+  if (const auto refused = refusal(query, area, limit.search())) {
+    result.status = *refused;
+    if (*refused == PlanStatus::infeasible) result.greatest_min_alpha = floor_with_a_path(query, fields, options, limit.search());
+    return;
+  }
+  seed_ompl(query.planner.seed);
+  const auto si = make_space_information(query, area);
+  const auto objective = std::make_shared<AlignabilityObjective>(
+      si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost, query.motion.reverse_penalty});
+  const auto definition = make_definition(query, si, objective);
+  if (gains_from_bounds(result.query.planner.name)) {
+    objective->set_bounds(std::make_shared<const RouteBounds>(area, query.weight, query.start.position(), query.goal.position(),
+                                                              query.goal_tolerance.position, limit.search()));
+  }
+  std::future<double> least = least_along(query, area, objective->bounds(), limit.afterwards());
+  auto path = solve(result.query, limit, definition, watch, result);
+  if (options.stop.stop_requested()) throw Interrupted();
+  result.lower_bound = least.get() + least_turning(query);
+  if (!path) return;
+  describe(result, *path, objective, objective->steering(), area);
+  result = within_limit(std::move(result), fields.error_model, area, *objective, limit.search());
 }
 
 }  // namespace
@@ -304,33 +331,15 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (const auto unfit = refusal_of_planner(result.query.planner.name)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_of_limit(result.query, fields.error_model)) throw std::invalid_argument(*unfit);
   if (const auto unfit = refusal_by_headings(result.query, *fields.risk)) throw std::invalid_argument(*unfit);
-  const DrivableArea area(fields.clearance, fields.risk, query.robot);
-  if (const auto refused = refusal(query, area)) {
-    result.status = *refused;
-    if (*refused == PlanStatus::infeasible) result.greatest_min_alpha = floor_with_a_path(query, fields, options);
-    result.seconds = watch.seconds();
-    return result;
+  const PlanResult nothing = result;
+  try {
+    solve_in_time(result, query, fields, options, watch);
+  } catch (const Interrupted&) {
+    result = nothing;
   }
-  seed_ompl(query.planner.seed);
-  const auto si = make_space_information(query, area);
-  const auto objective = std::make_shared<AlignabilityObjective>(
-      si, fields.risk, ObjectiveOptions{query.weight, query.motion.turn_cost, query.motion.reverse_penalty});
-  const auto definition = make_definition(query, si, objective);
-  if (gains_from_bounds(result.query.planner.name)) {
-    objective->set_bounds(std::make_shared<const RouteBounds>(area, query.weight, query.start.position(), query.goal.position(),
-                                                              query.goal_tolerance.position));
-  }
-  std::future<double> least = least_along(query, area, objective->bounds());
-  auto path = solve(result.query, options, definition, watch, result);
   if (options.stop.stop_requested()) {
-    result = interrupted(result.query);
-  } else {
-    result.lower_bound = least.get() + least_turning(query);
-  }
-  if (path && result.status != PlanStatus::interrupted) {
-    describe(result, *path, objective, objective->steering(), area);
-    result = within_limit(std::move(result), fields.error_model, area, *objective, options.stop);
-    if (options.stop.stop_requested()) result = interrupted(result.query);
+    result = nothing;
+    result.status = PlanStatus::interrupted;
   }
   result.seconds = watch.seconds();
   return result;

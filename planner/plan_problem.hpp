@@ -42,7 +42,7 @@ inline constexpr double kWidestTurn = 1000.0;
 /// Which planner, and when it stops: after `iterations` when they are given, else after `time`.
 struct PlannerChoice {
   std::string name;                          ///< one of planner_names(); empty: kDefaultPlanner
-  double time = 2.0;                         ///< [s], > 0
+  double time = 2.0;                         ///< [s], > 0, for the whole search; but for iterations kept to within a tenth
   std::optional<std::int64_t> iterations{};  ///< samples, roughly: planners count differently
   std::uint32_t seed = 1;                    ///< >= 1
 };

@@ -53,18 +53,20 @@ bool PlanarMotion::is_allowed(const Eigen::Vector2d& from, const Eigen::Vector2d
   return risk->is_drivable_along(begin, end);
 }
 
-PlanarPath refined(PlanarPath path, const PlanarMotion& motion) {
+PlanarPath refined(PlanarPath path, const PlanarMotion& motion, const StopTest& stop) {
   path = with_shortcuts(path, motion);
   // From coarse to fine, each as fine as the curves of the path may need.
   for (const double spacing : {2.0, 1.0, 0.5, 0.25}) {
+    if (is_told_to_stop(stop)) break;
     path = subdivided(path, spacing, motion);
-    relax(path, motion, 0.25 * spacing, [](const PlanarPath&) { return true; });
+    relax(
+        path, motion, 0.25 * spacing, [](const PlanarPath&) { return true; }, stop);
     path = with_shortcuts(path, motion);
   }
   return path;
 }
 
-void relax(PlanarPath& path, const PlanarMotion& motion, double step, const PathTest& is_accepted) {
+void relax(PlanarPath& path, const PlanarMotion& motion, double step, const PathTest& is_accepted, const StopTest& stop) {
   constexpr int kSweeps = 60;
   const double finest = 1e-3 * step;
   std::vector<double> steps(path.size(), step);  // of each vertex, halved where none helps
@@ -73,6 +75,7 @@ void relax(PlanarPath& path, const PlanarMotion& motion, double step, const Path
     going_on = false;
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
       if (steps[i] < finest) continue;
+      if (is_told_to_stop(stop)) return;
       going_on = true;
       steps[i] *= move_vertex(path, i, motion, steps[i], is_accepted) ? 1.5 : 0.5;
     }

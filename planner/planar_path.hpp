@@ -5,6 +5,7 @@
 #include <memory>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "costmap/clearance_map.hpp"
 #include "costmap/risk_field.hpp"
 
@@ -34,12 +35,14 @@ struct PlanarMotion {
 using PlanarPath = std::vector<Eigen::Vector2d>;
 
 /// A path freed of the lattice that it was found on: shortcuts, then vertices moved and added as long as that lowers the cost by the exact
-/// integral. Ends where it did, is allowed where the path was, never costs more.
-PlanarPath refined(PlanarPath path, const PlanarMotion& motion);
+/// integral. Ends where it did, is allowed where the path was, never costs more. Comes to an end
+/// early when told to stop.
+PlanarPath refined(PlanarPath path, const PlanarMotion& motion, const StopTest& stop = {});
 
 /// Each vertex but the ends moved by steps, from `step` [m] on down to a thousandth of it, as long as that lowers the cost and leaves a
-/// path that `is_accepted`.
-void relax(PlanarPath& path, const PlanarMotion& motion, double step, const std::function<bool(const PlanarPath&)>& is_accepted);
+/// path that `is_accepted`, and until told to stop.
+void relax(PlanarPath& path, const PlanarMotion& motion, double step, const std::function<bool(const PlanarPath&)>& is_accepted,
+           const StopTest& stop = {});
 
 /// The same way with vertices added, so that none is further from the next than `spacing` [m].
 PlanarPath subdivided(const PlanarPath& path, double spacing);

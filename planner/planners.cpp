@@ -41,6 +41,12 @@ ob::PlannerPtr make_with_samples(const PlannerChoice& choice, const ob::SpaceInf
   return planner;
 }
 
+ob::PlannerPtr make_field(const PlannerChoice& choice, const ob::SpaceInformationPtr& si) {
+  auto planner = std::make_shared<FieldPlanner>(si);
+  if (choice.iterations) planner->set_search_iterations(*choice.iterations);
+  return planner;
+}
+
 ob::PlannerPtr make_rrtstar(const PlannerChoice&, const ob::SpaceInformationPtr& si) {
   auto planner = std::make_shared<og::RRTstar>(si);
   planner->setTreePruning(false);
@@ -84,7 +90,7 @@ struct Offer {
 };
 
 constexpr Offer kOffers[] = {
-    {"field", make<FieldPlanner>},
+    {"field", make_field},
     {"rrtstar", make_rrtstar},
     {"rrtsharp", make_without_rejection<og::RRTsharp>},
     {"rrtxstatic", make_without_rejection<og::RRTXstatic>},
@@ -132,7 +138,7 @@ ob::PlannerPtr make_planner(const PlannerChoice& choice, const ob::SpaceInformat
   return std::ranges::find(kOffers, name, [](const Offer& offer) { return std::string(offer.name); })->make(choice, si);
 }
 
-bool counts_its_own_iterations(const std::string& name) { return name == "fmtstar" || name == "bfmtstar"; }
+bool counts_its_own_iterations(const std::string& name) { return name == "field" || name == "fmtstar" || name == "bfmtstar"; }
 
 bool gains_from_bounds(const std::string& name) { return name == "bitstar" || name == "abitstar" || name == "rrtstar"; }
 

@@ -51,7 +51,7 @@ bool move_pose(Poses& path, std::size_t i, const PoseMotion& motion, double step
 }
 
 // Each pose but the ends, by steps from `step` on down to a thousandth of it.
-void relax(Poses& path, const PoseMotion& motion, double step) {
+void relax(Poses& path, const PoseMotion& motion, double step, const StopTest& stop) {
   constexpr int kSweeps = 60;
   std::vector<double> steps(path.size(), step);  // of each, halved where none helps
   bool going_on = true;
@@ -59,6 +59,7 @@ void relax(Poses& path, const PoseMotion& motion, double step) {
     going_on = false;
     for (std::size_t i = 1; i + 1 < path.size(); ++i) {
       if (steps[i] < 1e-3 * step) continue;
+      if (is_told_to_stop(stop)) return;
       going_on = true;
       steps[i] *= move_pose(path, i, motion, steps[i]) ? 1.5 : 0.5;
     }
@@ -72,11 +73,12 @@ double PoseMotion::cost(const Pose2& from, const Pose2& to) const {
   return (to.position() - from.position()).norm() + weight * area.risk_field()->integral(from, to) + turn_cost * turned;
 }
 
-Poses refined(Poses path, const PoseMotion& motion) {
+Poses refined(Poses path, const PoseMotion& motion, const StopTest& stop) {
   path = with_shortcuts(path, motion);
   for (const double spacing : {2.0, 1.0, 0.5}) {
+    if (is_told_to_stop(stop)) break;
     path = subdivided(path, spacing, motion);
-    relax(path, motion, 0.25 * spacing);
+    relax(path, motion, 0.25 * spacing, stop);
     path = with_shortcuts(path, motion);
   }
   return path;

@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/drivable_area.hpp"
 
 namespace alignability {
@@ -18,7 +19,8 @@ struct PoseMotion {
 };
 
 /// A path freed of the places and headings that it was found on: shortcuts, then poses moved, turned and added as long as that lowers the
-/// exact cost. Begins and ends in the same poses, is allowed where it was, never costs more.
-std::vector<Pose2> refined(std::vector<Pose2> path, const PoseMotion& motion);
+/// exact cost. Begins and ends in the same poses, is allowed where it was, never costs more. Comes to an end early when
+/// told to stop.
+std::vector<Pose2> refined(std::vector<Pose2> path, const PoseMotion& motion, const StopTest& stop = {});
 
 }  // namespace alignability

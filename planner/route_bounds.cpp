@@ -9,16 +9,17 @@
 namespace alignability {
 
 RouteBounds::Both RouteBounds::both(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
-                                    double tolerance) {
-  const auto lattice = std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), weight, area.inscribed_radius());
-  auto from_start = std::async(std::launch::async, [&] { return CostBound(lattice, start, 0.0); });
-  CostBound to_goal(lattice, goal, tolerance);
+                                    double tolerance, const StopTest& stop) {
+  const auto lattice =
+      std::make_shared<const CostLattice>(*area.risk_field(), *area.clearance_map(), weight, area.inscribed_radius(), stop);
+  auto from_start = std::async(std::launch::async, [&] { return CostBound(lattice, start, 0.0, stop); });
+  CostBound to_goal(lattice, goal, tolerance, stop);
   return {from_start.get(), std::move(to_goal)};
 }
 
 RouteBounds::RouteBounds(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal,
-                         double tolerance)
-    : RouteBounds(both(area, weight, start, goal, tolerance)) {}
+                         double tolerance, const StopTest& stop)
+    : RouteBounds(both(area, weight, start, goal, tolerance, stop)) {}
 
 RouteBounds::RouteBounds(Both both) : from_start_(std::move(both.from_start)), to_goal_(std::move(both.to_goal)) {
   constexpr std::size_t kClasses = 4096;

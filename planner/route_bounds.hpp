@@ -6,6 +6,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "core/progress.hpp"
 #include "planner/cost_bound.hpp"
 #include "planner/drivable_area.hpp"
 #include "planner/pose_goal.hpp"
@@ -16,8 +17,9 @@ namespace alignability {
 /// that costs less than another. Immutable, safe to read from many threads.
 class RouteBounds {
  public:
-  /// For ∫ (1 + weight·risk) ds. O(cells), in two threads.
-  RouteBounds(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double tolerance);
+  /// For ∫ (1 + weight·risk) ds. O(cells), in two threads. `stop` is asked by both at once. Throws Interrupted.
+  RouteBounds(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double tolerance,
+              const StopTest& stop = {});
 
   /// At most what getting within the goal's tolerance costs from there; infinite where nothing leads, and where the robot cannot be.
   double to_goal(const Eigen::Vector2d& point) const { return to_goal_(point); }
@@ -38,7 +40,8 @@ class RouteBounds {
   };
 
   explicit RouteBounds(Both both);
-  static Both both(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double tolerance);
+  static Both both(const DrivableArea& area, double weight, const Eigen::Vector2d& start, const Eigen::Vector2d& goal, double tolerance,
+                   const StopTest& stop);
   /// Of cells that are alike in what through() is at least; costs from the least on. Negative below that.
   double class_of(double cost) const { return std::floor((cost - least_) / width_); }
 
