@@ -31,7 +31,7 @@ TEST(Nav2Warehouse, PlannersGetFromOneEndToTheOther) {
   };
   problem.query.start = place(-22.0, -18.0);
   problem.query.goal = place(16.0, 20.0);
-  problem.query.planner.time = 2.0 * test::kPatience;
+  problem.query.planner.time = 4.0 * test::kPatience;
   for (const std::string name : {"bitstar", "rrtstar", "prmstar", "fmtstar"}) {
     for (const MotionSpace space : {MotionSpace::r2, MotionSpace::se2}) {
       SCOPED_TRACE(name + (space == MotionSpace::r2 ? " in R²" : " in SE(2)"));
