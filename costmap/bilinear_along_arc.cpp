@@ -66,7 +66,9 @@ double BilinearAlongArc::slope(double s) const {
 double BilinearAlongArc::steepest_slope() const { return gradient.norm() + std::abs(twist) * 0.5 * length; }
 
 double BilinearAlongArc::steepest_bend() const {
-  return std::abs(twist) + std::abs(curvature) * (gradient.norm() + std::abs(twist) * 0.5 * length);
+  // The twist bends what runs diagonally, and not at all what keeps to an axis.
+  const double diagonal = std::min(1.0, 2.0 * std::abs(direction.x() * direction.y()) + std::abs(curvature) * length);
+  return diagonal * std::abs(twist) + std::abs(curvature) * (gradient.norm() + std::abs(twist) * 0.5 * length);
 }
 
 double BilinearAlongArc::mean() const {

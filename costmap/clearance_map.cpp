@@ -201,7 +201,6 @@ bool ClearanceMap::is_clear(const Eigen::Vector2d& from, const Eigen::Vector2d& 
       done += room;
       continue;
     }
-    if (at_center + moved + 1e-6 * (at_center + geometry().resolution) < radius) return false;
     const double next = std::min(length, done + piece);
     if (!is_clear_of_cells(at, next == length ? to : Eigen::Vector2d(from + next * direction), radius)) return false;
     done = next;

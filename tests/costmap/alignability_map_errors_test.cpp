@@ -64,7 +64,9 @@ INSTANTIATE_TEST_SUITE_P(
                       YamlFault{with("seed: 1", "seed: 1.5"),
                                 ":6:7: 'seed' must be a whole number from 0 to 18446744073709551615, not 1.5"},
                       YamlFault{kGood + "sede: 2\n", ":7:1: unknown key 'sede' (did you mean 'seed'?)"},
-                      YamlFault{kGood + "sensor: {name: x}\n", ":7:9: 'sensor' must be a word"}));
+                      YamlFault{kGood + "sensor: {name: x}\n", ":7:9: 'sensor' must be a word"},
+                      YamlFault{kGood + "error_model: {growth: 0.02, recovery: 3, least: 0.01, alpha_poor: 0.4, alpha_rich: 0.4}\n",
+                                ":7:67: 'alpha_poor' must be less than 'alpha_rich'"}));
 
 struct TiffFault {
   std::vector<TiffPage> pages;

@@ -179,11 +179,29 @@ TEST(BilinearFieldAlongAnArc, MeetsALevelThatItTouchesOrKeepsTo) {
   double below = 0.0;
   touching.visit_stretches(0.3, [&](double stretch, bool is_below) { below += is_below ? stretch : 0.0; });
   EXPECT_NEAR(below, 0.0, 1e-9);
+  const BilinearAlongArc bending_less_than_it_may{.length = 1.0, .curvature = 2.0, .value = 0.3, .gradient = {0.0, 1.0}, .twist = 1.0};
+  below = 0.0;
+  bending_less_than_it_may.visit_stretches(0.3, [&](double stretch, bool is_below) { below += is_below ? stretch : 0.0; });
+  EXPECT_NEAR(below, 0.0, 1e-9);
   const BilinearAlongArc flat{.length = 1.0, .curvature = 2.0, .value = 0.3};
   flat.visit_stretches(0.3, [&](double stretch, bool is_below) {
     EXPECT_EQ(stretch, 1.0);
     EXPECT_FALSE(is_below);
   });
+}
+
+// As along the centres of a row of cells that all have the level, where the next row's differ.
+TEST(BilinearFieldAlongAnArc, TellsInOnePieceThatItKeepsToALevelWhichItLeavesAside) {
+  for (const double curvature : {0.0, 1e-9}) {
+    const BilinearAlongArc level{.length = 1.0, .curvature = curvature, .value = 0.25, .gradient = {0.0, 0.5}, .twist = 1.0};
+    int pieces = 0;
+    double length = 0.0;
+    level.visit_stretches(0.25, [&](double stretch, bool) {
+      length += stretch;
+      if (++pieces > 1000) throw std::runtime_error("too many pieces");
+    });
+    EXPECT_NEAR(length, 1.0, 1e-12);
+  }
 }
 
 TEST(ClearanceOfAnArc, AgreesWithBruteForceToAThousandthOfACell) {
@@ -225,6 +243,20 @@ TEST(ClearanceOfAnArc, LetsADiskDriveRoundAPostThatItAllButTouches) {
     const Arc arc{{4.0 + radius + gap, 4.0, 0.5 * std::numbers::pi}, 1.0 / (radius + gap), 0.5 * std::numbers::pi * (radius + gap)};
     EXPECT_EQ(clearance.is_clear(arc, radius), gap > 0.0);
   }
+}
+
+TEST(ClearanceOfAnArc, IsRefusedWhereItClearsByLessThanAHair) {
+  const ClearanceMap clearance(test::ascii_map(1.0, {".......", ".......", ".......", "...#...", ".......", ".......", "......."}));
+  const double about = 1.0 + 1e-7;
+  const Arc arc{{4.0 + about, 4.0, 0.5 * std::numbers::pi}, 1.0 / about, 0.5 * std::numbers::pi * about};
+  EXPECT_FALSE(clearance.is_clear(arc, 1.0));
+  EXPECT_TRUE(clearance.is_clear(arc, 0.99));
+}
+
+TEST(ClearanceOfAnArc, IsThatOfASegmentWhenItIsStraight) {
+  const ClearanceMap clearance(test::ascii_map(1.0, {".......", "...#...", "......."}));
+  EXPECT_TRUE(clearance.is_clear(Arc({1.0, 0.5, 0.0}, 0.0, 5.0), 0.4));
+  EXPECT_FALSE(clearance.is_clear(Arc({1.0, 1.5, 0.0}, 0.0, 5.0), 0.4));
 }
 
 TEST(RiskFieldAlongAnArc, KeepsOutOfWhatIsUnknownAndBlocked) {

@@ -89,6 +89,7 @@ TEST(Grid, RefusesValuesThatDoNotFitItsGeometry) {
   EXPECT_THROW(Grid<int>({.resolution = -1.0, .width = 1, .height = 1}, 0), std::invalid_argument);
   EXPECT_THROW(Grid<int>({.resolution = kNaN, .width = 1, .height = 1}, 0), std::invalid_argument);
   EXPECT_THROW(Grid<int>({.width = -1, .height = -1}, std::vector<int>(1)), std::invalid_argument);
+  EXPECT_THROW(Grid<int>({.width = 0, .height = -1}, std::vector<int>()), std::invalid_argument);
 }
 
 }  // namespace

@@ -235,5 +235,26 @@ TEST(HeadingField, AYawOfManyTurnsIsTakenForWhereItPoints) {
   }
 }
 
+TEST(HeadingField, HasNoValueWhereTheYawIsNoNumber) {
+  std::mt19937_64 random(5);
+  const HeadingField field = random_field(random, 4);
+  for (const double yaw : {std::numeric_limits<double>::infinity(), std::nan("")}) EXPECT_TRUE(std::isnan(field.at({1.0, 3.0, yaw})));
+}
+
+TEST(HeadingField, AnArcOfNoLengthAddsNothing) {
+  std::mt19937_64 random(5);
+  const HeadingField field = random_field(random, 4);
+  EXPECT_EQ(field.integral(Arc({1.0, 3.0, 0.5}, 0.7, 0.0)), 0.0);
+  EXPECT_EQ(field.at_headings().front().integral(Arc({1.0, 3.0, 0.5}, 0.7, 0.0)), 0.0);
+}
+
+TEST(HeadingField, ReachesNoLevelWhereNoHeadingHasAValue) {
+  Grid<double> nodes(kGrid, 1.0);
+  for (int y = 0; y < kGrid.height; ++y) nodes[Cell{4, y}] = std::nan("");
+  const HeadingField field(std::vector{BilinearField(nodes), BilinearField(nodes)});
+  EXPECT_TRUE(field.reaches(0.5, kGrid.center({1, 1}), kGrid.center({3, 1})));
+  EXPECT_FALSE(field.reaches(0.5, kGrid.center({1, 1}), kGrid.center({6, 1})));
+}
+
 }  // namespace
 }  // namespace alignability

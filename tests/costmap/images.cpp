@@ -27,6 +27,8 @@ void write_png(const std::filesystem::path& file, PngKind kind, int width, const
   png_set_IHDR(png, info, static_cast<png_uint_32>(width), static_cast<png_uint_32>(height), kind == PngKind::grey16 ? 16 : 8, colour,
                PNG_INTERLACE_NONE, PNG_COMPRESSION_TYPE_DEFAULT, PNG_FILTER_TYPE_DEFAULT);
   if (gamma > 0.0) png_set_gAMA(png, info, gamma);
+  const png_color_16 transparent{.index = 0, .red = 0, .green = 0, .blue = 0, .gray = kTransparentShade};
+  if (kind == PngKind::grey_keyed) png_set_tRNS(png, info, nullptr, 0, &transparent);
   png_write_info(png, info);
   const std::size_t stride = bytes.size() / static_cast<std::size_t>(height);
   for (std::size_t row = 0; row < static_cast<std::size_t>(height); ++row) png_write_row(png, &bytes[row * stride]);

@@ -77,8 +77,18 @@ TEST(MapComparison, RefusesMapsWithoutCellsInCommon) {
                std::invalid_argument);
   EXPECT_THROW(compare_maps(map, map_with({.resolution = 1.0, .origin = {20.0, -5.0}, .width = 1, .height = 1}, {0.1f}), {}),
                std::invalid_argument);
+  EXPECT_THROW(compare_maps(map, map_with({.resolution = 1.0, .origin = {1e12, -5.0}, .width = 1, .height = 1}, {0.1f}), {}),
+               std::invalid_argument)
+      << "farther than cells are counted";
   EXPECT_THROW(compare_maps(map, map_with(square(1), {kNan}), {}), std::invalid_argument);
+}
+
+TEST(MapComparison, RefusesThresholdsMarginsAndSignificancesOutOfRange) {
+  const AlignabilityMap map = map_with(square(1), {0.1f});
   EXPECT_THROW(compare_maps(map, map, {.alpha_critical = 0.5}), std::invalid_argument);
+  EXPECT_THROW(compare_maps(map, map, {.alpha_critical = -0.1}), std::invalid_argument);
+  EXPECT_THROW(compare_maps(map, map, {.alpha_safe = 1.1}), std::invalid_argument);
+  EXPECT_THROW(compare_maps(map, map, {.significance = 0.0}), std::invalid_argument);
   EXPECT_THROW(compare_maps(map, map, {.margin = kNan}), std::invalid_argument);
   EXPECT_THROW(compare_maps(map, map, {.significance = 1.0}), std::invalid_argument);
 }
@@ -111,6 +121,30 @@ TEST(MapComparison, TakesTheSpreadOfTheOtherMapWhereOneHasTooFewSamples) {
   const MapComparison result = compare_maps(map_with(square(1), {0.9f}, 10.0f, 0.02f), map_with(square(1), {0.1f}, 1.0f, 0.0f), {});
   EXPECT_TRUE(result.is_tested);
   EXPECT_EQ(result.lower, 1u);
+}
+
+TEST(MapComparison, TakesTheSpreadOfTheSecondWhereTheFirstHasTooFewSamples) {
+  const MapComparison result = compare_maps(map_with(square(1), {0.9f}, 1.0f, 0.0f), map_with(square(1), {0.1f}, 10.0f, 0.02f), {});
+  EXPECT_TRUE(result.is_tested);
+  EXPECT_EQ(result.lower, 1u);
+}
+
+TEST(MapComparison, TakesTheSpreadOfTheOtherMapWhereOneSaysNoneAtAll) {
+  AlignabilityMap bare = map_with(square(1), {0.1f});
+  const AlignabilityMap first = map_with(square(1), {0.9f});
+  for (const char* dropped : {"iqr", "samples"}) {
+    std::erase_if(bare.layers, [&](const AlignabilityMap::Layer& layer) { return layer.name == dropped; });
+    const MapComparison result = compare_maps(first, bare, {});
+    EXPECT_TRUE(result.is_tested) << dropped;
+    EXPECT_EQ(result.lower, 1u) << dropped;
+  }
+  EXPECT_FALSE(compare_maps(bare, bare, {}).is_tested);
+}
+
+TEST(MapComparison, IsCertainOfAFallWhereNothingSpreads) {
+  const AlignabilityMap first = map_with(square(1), {0.5f}, 10.0f, 0.0f);
+  EXPECT_EQ(compare_maps(first, map_with(square(1), {0.4f}, 10.0f, 0.0f), {}).cells.front().chance, 0.0);
+  EXPECT_EQ(compare_maps(first, map_with(square(1), {0.46f}, 10.0f, 0.0f), {}).cells.front().chance, 1.0) << "within the margin";
 }
 
 TEST(MapComparison, FindsTheWholeLowerWhereNoCellIsForItself) {
@@ -163,6 +197,9 @@ TEST(MapComparison, SaysHowMapsWereMadeDifferently) {
   EXPECT_TRUE(differences_in_making(first, second).empty()) << "nothing is known of the first's sensor";
   first.sensor = "name: one\n";
   EXPECT_THAT(differences_in_making(first, second), ElementsAre("the sensor file"));
+  first.sensor.clear();
+  first.options += "a line without a value\n";
+  EXPECT_TRUE(differences_in_making(second, first).empty()) << "nothing is known of the second's sensor";
 }
 
 }  // namespace

@@ -105,6 +105,7 @@ INSTANTIATE_TEST_SUITE_P(
                       ImageFault{"P5\n3 1\n100\n12\xff", ": 255 is above white, 100"},
                       ImageFault{"P5\n100000 100000\n255\n0", ": says that it is 100000 × 100000" + kTooLarge},
                       ImageFault{"P5\n4294967297 1\n255\n0", ": says that it is 4294967297 × 1" + kTooLarge},
+                      ImageFault{"P5\n1 4294967297\n255\n0", ": says that it is 1 × 4294967297" + kTooLarge},
                       ImageFault{"P5\n99999999999999999999 1\n255\n0", ":2:1: '99999999999999999999' is no number"},
                       ImageFault{"P2\n100000 100000\n255\n0", ": says that it is 100000 × 100000" + kTooLarge},
                       ImageFault{"\x89PNG", ": damaged PNG: it ends early"}, ImageFault{kPngHeader, ": damaged PNG: it ends early"},

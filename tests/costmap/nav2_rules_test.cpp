@@ -162,6 +162,8 @@ INSTANTIATE_TEST_SUITE_P(
                               {0, 0, 0, 255, 205, 205, 205, 255, 255, 255, 255, 254, 255, 255, 255, 0, 0, 0, 0, 254},
                               {100, 0, kUnknown, kUnknown, kUnknown}},
                       PngCase{{"scale"}, PngKind::grey_alpha, 3, {0, 255, 254, 255, 254, 254}, {100, 0, kUnknown}},
+                      PngCase{{"scale"}, PngKind::grey_keyed, 3, {0, 255, test::kTransparentShade}, {100, 0, kUnknown}},
+                      PngCase{{"trinary"}, PngKind::grey_keyed, 4, {0, 34, 255, test::kTransparentShade}, {100, kUnknown, 0, kUnknown}},
                       // Raw: the alpha says nothing.
                       PngCase{{"raw"}, PngKind::rgba, 3, {50, 50, 50, 0, 0, 50, 100, 255, 101, 101, 101, 128}, {50, 50, kUnknown}},
                       PngCase{{"raw", 1}, PngKind::grey_alpha, 2, {100, 0, 101, 255}, {100, kUnknown}}));

@@ -134,11 +134,26 @@ TEST(RiskField, BlocksTheCellsBeyondTheRing) {
   EXPECT_FALSE(field.is_drivable({0.5, 0.5}, {0.5, 1.5}));
 }
 
+TEST(RiskField, KeepsAboveTheFloorAndOutOfWhereNobodyKnows) {
+  const RiskField field = field_of({0.9f, 0.9f, 0.2f, 0.9f, kNone, kNone, kNone}, {.min_alpha = 0.5});
+  const Pose2 left{0.6, 0.5, 0.0}, right{3.5, 0.5, 0.0}, unknown{5.5, 0.5, 0.0};
+  EXPECT_TRUE(field.is_drivable_along(left, {1.4, 0.5, 0.0}));
+  EXPECT_FALSE(field.is_drivable_along(left, right)) << "good ends, a poor place between";
+  EXPECT_FALSE(field.is_drivable_along(right, unknown));
+  EXPECT_TRUE(field.is_drivable(Arc(left, 0.0, 0.8)));
+  EXPECT_FALSE(field.is_drivable(Arc(left, 0.0, 2.9)));
+  EXPECT_TRUE(field.is_drivable(Arc(left, 0.0, 0.0))) << "standing";
+  EXPECT_FALSE(field.is_drivable(Arc(unknown, 0.0, 0.0)));
+  const RiskField blocked = field_of({0.9f, 0.9f, kNone, kNone, kNone}, {.unknown = UnknownPolicy::blocked});
+  EXPECT_TRUE(blocked.is_drivable(Arc(left, 0.0, 0.0)));
+}
+
 TEST(RiskField, RefusesThresholdsOutOfOrderOrRange) {
   for (const auto& [critical, safe] : {std::pair{0.4, 0.1}, {0.4, 0.4}, {-0.1, 0.4}, {0.1, 1.1}, {kNaN, 0.4}, {0.1, kNaN}}) {
     EXPECT_THROW(field_of({0.5f}, {.alpha_critical = critical, .alpha_safe = safe}), std::invalid_argument) << critical << ' ' << safe;
   }
-  EXPECT_NO_THROW(field_of({0.5f}, {.alpha_critical = 0.0, .alpha_safe = 1.0}));
+  for (const double floor : {-0.1, 1.1, kNaN}) EXPECT_THROW(field_of({0.5f}, {.min_alpha = floor}), std::invalid_argument) << floor;
+  EXPECT_NO_THROW(field_of({0.5f}, {.alpha_critical = 0.0, .alpha_safe = 1.0, .min_alpha = 1.0}));
 }
 
 }  // namespace

@@ -236,10 +236,14 @@ TEST(RiskSources, WithAFaultAreRefused) {
   --short_of_it.width;
   EXPECT_EQ(fault_of([](RiskSource& source) { source.name = "a b"; }),
             "the name of a risk's source must be made of letters, digits, '_' and '-'");
+  EXPECT_EQ(fault_of([](RiskSource& source) { source.name.clear(); }),
+            "the name of a risk's source must be made of letters, digits, '_' and '-'");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.name = "alignability"; }), "alignability is a risk's source of its own");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.weight = -1.0; }), "a source's weight must be from 0 to 1e+09");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.safe = 1.0; }), "'risky' and 'safe' must differ");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.safe = std::nan(""); }), "'risky' and 'safe' must be finite");
+  EXPECT_EQ(fault_of([](RiskSource& source) { source.risky = std::numeric_limits<double>::infinity(); }),
+            "'risky' and 'safe' must be finite");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.unknown = UnknownPolicy::blocked; }),
             "only where alignability is unknown may it be blocked");
   EXPECT_EQ(fault_of([](RiskSource& source) { source.values.reset(); }), "a risk's source needs values");
