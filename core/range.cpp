@@ -29,9 +29,8 @@ std::string Range::description() const {
 }
 
 std::string to_text(double value) {
-  std::array<char, 32> buffer;
-  const auto [end, error] = std::to_chars(buffer.data(), buffer.data() + buffer.size(), value);
-  return error == std::errc{} ? std::string(buffer.data(), end) : std::string("nan");
+  std::array<char, 32> buffer;  // the longest takes 24
+  return {buffer.data(), std::to_chars(buffer.data(), buffer.data() + buffer.size(), value).ptr};
 }
 
 std::string fixed_text(double value, int decimals) {

@@ -47,7 +47,7 @@ TEST(Bootstrap, OfNoRunsIsNotANumberAndRefusesOptionsOutOfRange) {
   const auto zero = [](std::span<const std::size_t>) { return 0.0; };
   EXPECT_TRUE(std::isnan(bootstrap(0, zero, {}).value));
   EXPECT_THROW(bootstrap(1, zero, {.resamples = 0}), std::invalid_argument);
-  EXPECT_THROW(bootstrap(1, zero, {.confidence = 1.0}), std::invalid_argument);
+  for (const double confidence : {0.0, 1.0}) EXPECT_THROW(bootstrap(1, zero, {.confidence = confidence}), std::invalid_argument);
 }
 
 TEST(Bootstrap, PassesOverSamplesThatHaveNoFigure) {

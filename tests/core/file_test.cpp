@@ -109,6 +109,16 @@ TEST(AtomicFile, NamesTheTargetWhenTheFolderIsMissing) {
   EXPECT_EQ(thrown_message([&] { AtomicFile{target}; }), target.string() + ": cannot be written: No such file or directory");
 }
 
+TEST(AtomicFile, NamesTheTargetWhenItsTemporaryIsTakenAway) {
+  const TemporaryFolder folder;
+  const auto target = folder / "result.csv";
+  AtomicFile file(target);
+  std::filesystem::remove(file.temporary());
+  const std::string told = target.string() + ": cannot be written: No such file or directory";
+  EXPECT_EQ(thrown_message([&] { file.write("a"); }), told);
+  EXPECT_EQ(thrown_message([&] { file.commit(); }), told);
+}
+
 TEST(AtomicFile, NamesTheTargetWhenTheFolderCannotBeWrittenTo) {
   const TemporaryFolder folder;
   const auto target = folder.write("file", "") / "result.csv";  // no permission bit stops root, a file for a folder does

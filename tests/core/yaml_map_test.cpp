@@ -44,6 +44,8 @@ TEST(YamlMap, GivesNulloptForWhatIsAbsent) {
   EXPECT_EQ(yaml.find_numbers("a", 3, kFinite), std::nullopt);
   EXPECT_EQ(yaml.find_texts("a"), std::nullopt);
   EXPECT_FALSE(yaml.find_map("a").has_value());
+  EXPECT_FALSE(yaml.find_maps("a").has_value());
+  EXPECT_FALSE(yaml.find_points("a", kFinite).has_value());
   constexpr std::pair<const char*, int> kChoices[] = {{"one", 1}};
   EXPECT_EQ(yaml.find_choice("a", kChoices), std::nullopt);
   EXPECT_FALSE(yaml.is_sequence("a"));
