@@ -41,6 +41,18 @@ ALIGNABILITY_INLINE void find_distances2(const float* coordinates, const std::in
   }
 }
 
+// Eight answers, as memory: clang hands no wide vector over between functions of different instruction sets, be they inlined.
+struct NearBoxes {
+  alignas(Ints) std::int32_t lanes[kLanes];  // -1 where near, else 0
+};
+
+ALIGNABILITY_INLINE NearBoxes near_boxes(const RawBoxes& boxes, int first, const RawBox& query, float radius2) {
+  const Ints are_near = box_distances2(boxes, first, query) <= radius2;
+  NearBoxes result;
+  __builtin_memcpy(result.lanes, &are_near, sizeof are_near);
+  return result;
+}
+
 // `count` is a whole number of eights.
 ALIGNABILITY_INLINE Ints count_within(const float* distances2, int count, Floats bounds) {
   Ints counts[4] = {};
@@ -100,10 +112,10 @@ int near_children(const RawBoxes& boxes, const std::int32_t* nodes, int count, c
   int found = 0;
   for (int half = 0; half < 2 * count; ++half) {
     const int first = kLanes * (2 * nodes[half / 2] + half % 2);
-    const Ints is_near = box_distances2(boxes, first, query) <= radius2;
+    const NearBoxes are_near = near_boxes(boxes, first, query, radius2);
     for (int lane = 0; lane < kLanes; ++lane) {
       near[found] = first + lane;
-      found -= is_near[lane];
+      found -= are_near.lanes[lane];
     }
   }
   return found;
@@ -138,10 +150,14 @@ ALIGNABILITY_AVX2 int near_children_avx2(const RawBoxes& boxes, const std::int32
   int found = 0;
   for (int half = 0; half < 2 * count; ++half) {
     const int first = kLanes * (2 * nodes[half / 2] + half % 2);
-    const auto set = static_cast<unsigned>(_mm256_movemask_ps((__m256)(box_distances2(boxes, first, query) <= radius2)));
+    const NearBoxes are_near = near_boxes(boxes, first, query, radius2);
+    __m256 lanes;
+    __builtin_memcpy(&lanes, are_near.lanes, sizeof lanes);
+    const auto set = static_cast<unsigned>(_mm256_movemask_ps(lanes));
     Ints packed;
     __builtin_memcpy(&packed, kPacked[set].data(), sizeof packed);
-    store(near + found, packed + first);
+    packed += first;
+    __builtin_memcpy(near + found, &packed, sizeof packed);
     found += __builtin_popcount(set);
   }
   return found;

@@ -5,7 +5,7 @@
 
 namespace alignability::test {
 
-inline constexpr ErrorModel kModel{.growth = 0.02, .recovery = 2.0, .least = 0.02, .alpha_poor = 0.1, .alpha_rich = 0.4, .calibration = {}};
+inline const ErrorModel kModel{.growth = 0.02, .recovery = 2.0, .least = 0.02, .alpha_poor = 0.1, .alpha_rich = 0.4, .calibration = {}};
 
 /// 30 × 12 m, free. α is poor but for three rows of rich ground: along the bottom, along the top, and an island in the middle.
 inline PlanProblem problem_with_an_island() {
