@@ -3,6 +3,7 @@
 
 #include <random>
 
+#include "planner/drivable_area.hpp"
 #include "planner/footprint_sweep.hpp"
 #include "planner/robot.hpp"
 #include "tests/planner/collision_oracle.hpp"
@@ -178,6 +179,27 @@ TEST(Footprint, CoversACellThatLiesWhollyInside) {
   EXPECT_FALSE(FootprintSweep(map, kTruck).is_clear({2.5, 2.05, 0.0}));
   // The same cell between the prongs of the fork.
   EXPECT_TRUE(FootprintSweep(map, kFork).is_clear({2.0, 2.05, 0.0}));
+}
+
+TEST(Footprint, IsRefusedWhereItIsNoOutline) {
+  const auto fault = [](const std::vector<Eigen::Vector2d>& corners) { return fault_of_footprint(corners).value_or("none"); };
+  EXPECT_EQ(fault(kTruck), "none");
+  EXPECT_EQ(fault({{0.0, 0.0}, {1.0, 0.0}}), "a footprint needs at least 3 corners");
+  EXPECT_EQ(fault({{0.0, 0.0}, {1.0, 0.0}, {0.0, std::nan("")}}), "corners must be finite numbers");
+  EXPECT_EQ(fault({{0.0, 0.0}, {1.0, 1.0}, {1.0, 0.0}, {0.0, 1.0}}), "the footprint's edges must not cross or touch");
+  EXPECT_EQ(fault({{0.0, 0.0}, {1.0, 0.0}, {2.0, 0.0}}), "the footprint must not fold back upon itself");
+  EXPECT_EQ(fault({{1.0, 1.0}, {1.0, 1.0}, {1.0, 1.0}}), "the footprint must be a polygon with an area");
+}
+
+TEST(Footprint, OrARadiusIsWhatAnAreaNeeds) {
+  const auto clearance = std::make_shared<ClearanceMap>(scattered(1));
+  AlignabilityMap map;
+  map.geometry = {.resolution = 1.0, .origin = {-3.0, 2.0}, .width = 10, .height = 8};
+  map.layers = {{"alpha", Grid<float>(map.geometry, 0.5f)}};
+  const auto risk = std::make_shared<RiskField>(map, scattered(1), RiskOptions{});
+  EXPECT_THROW(DrivableArea(clearance, risk, Robot{.radius = 0.0}), std::invalid_argument);
+  EXPECT_THROW(DrivableArea(clearance, risk, Robot{.radius = 1.0, .footprint = {{0.0, 0.0}, {1.0, 0.0}}}), std::invalid_argument);
+  EXPECT_NO_THROW(DrivableArea(clearance, risk, Robot{.radius = 0.0, .footprint = kTruck}));
 }
 
 TEST(Footprint, HasTheRadiiOfItsDisks) {

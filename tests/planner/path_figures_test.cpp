@@ -43,6 +43,21 @@ TEST(PathFigures, CarryAStretchOverTheCornersOfAPath) {
   EXPECT_NEAR(figures.risk_integral, 9.0, 1e-12);
 }
 
+// Where α is just the threshold, beside cells where it is not: a car's straight way keeps to it all along.
+TEST(PathFigures, OfACarAreThoseOfAWalkWhereAlphaKeepsToTheThreshold) {
+  Grid<float> alpha(strip(10), 0.25f);
+  for (const int x : {1, 4, 5, 8}) alpha[Cell{x, 2}] = 0.9f;
+  const OccupancyMap occupancy(Grid<float>(alpha.geometry(), 0.0f));
+  AlignabilityMap map;
+  map.geometry = alpha.geometry();
+  map.layers.push_back({"alpha", alpha});
+  const RiskField risk(map, occupancy, {.alpha_critical = 0.25});
+  Curve straight({0.5, 1.5, 0.0});
+  straight.append(0.0, 9.0);
+  EXPECT_EQ(measure(std::vector{straight}, risk).blind_length, 0.0);
+  EXPECT_EQ(measure(std::vector<Pose2>{{0.5, 1.5, 0.0}, {9.5, 1.5, 0.0}}, risk).blind_length, 0.0);
+}
+
 TEST(PathFigures, CountTheUnevaluatedAsBlindUnderRiskyAndNotUnderNeutral) {
   Grid<float> alpha(strip(30), 0.5f);
   for (int y = 0; y < 3; ++y) {
@@ -53,6 +68,11 @@ TEST(PathFigures, CountTheUnevaluatedAsBlindUnderRiskyAndNotUnderNeutral) {
   const PathFigures risky = measure(path, field_of(alpha, UnknownPolicy::risky));
   EXPECT_NEAR(risky.blind_length, 9.0, 1e-9);
   EXPECT_NEAR(risky.alpha_mean, 0.5, 1e-6);
+  Curve straight(path.front());
+  straight.append(0.0, 29.0);
+  const PathFigures driven = measure(std::vector{straight}, field_of(alpha, UnknownPolicy::risky));
+  EXPECT_NEAR(driven.blind_length, 9.0, 1e-9);
+  EXPECT_NEAR(driven.evaluated_length, 20.0, 1e-9);
   const PathFigures neutral = measure(path, field_of(alpha, UnknownPolicy::neutral));
   EXPECT_EQ(neutral.blind_length, 0.0);
   EXPECT_EQ(neutral.risk_integral, 0.0);

@@ -6,6 +6,7 @@
 #include <random>
 
 #include "planner/plan.hpp"
+#include "tests/costmap/heading_maps.hpp"
 #include "tests/planner/blind_walk.hpp"
 #include "tests/planner/island.hpp"
 #include "tests/planner/random_sites.hpp"
@@ -39,6 +40,30 @@ TEST(LimitsAlongArcs, CountAsAWalkByMillimetresDoes) {
     EXPECT_NEAR(greatest_predicted_error(driven, risk, test::kModel), greatest_predicted_error(by_millimetres(driven), risk, test::kModel),
                 1e-3);
   }
+}
+
+// What is known ends at the middle of the border cell, at x = 3.5: α is 0.9 up to there.
+TEST(LimitsAlongWays, TakeWhereNobodyKnowsForBlindHoweverItIsDriven) {
+  const GridGeometry row{.resolution = 1.0, .width = 8, .height = 1};
+  const auto alpha = [](const Eigen::Vector2d& place, double) { return place.x() < 3.0 ? 0.9f : std::numeric_limits<float>::quiet_NaN(); };
+  const OccupancyMap occupancy(Grid<float>(row, 0.0f));
+  AlignabilityMap plain = test::heading_map(row, 4, alpha);
+  const RiskField by_heading(plain, occupancy, {});
+  plain.layers.resize(1);
+  const std::vector<Pose2> walked{{0.5, 0.5, 0.0}, {0.5, 0.5, 0.0}, {7.5, 0.5, 0.0}};
+  Curve straight(walked.front());
+  straight.append(0.0, 7.0);
+  for (const RiskField& risk : {RiskField(plain, occupancy, {}), by_heading}) {
+    EXPECT_NEAR(longest_unrecovered(walked, risk, 1.0), 4.0, 1e-9);
+    EXPECT_NEAR(longest_unrecovered(std::vector{straight}, risk, 1.0), 4.0, 1e-9);
+    const double error = test::kModel.least + 4.0 * test::kModel.growth;
+    EXPECT_NEAR(greatest_predicted_error(walked, risk, test::kModel), error, 1e-9);
+    EXPECT_NEAR(greatest_predicted_error(std::vector{straight}, risk, test::kModel), error, 1e-9);
+    const ErrorLimit limit{.model = test::kModel, .most = error + 1e-6};
+    EXPECT_NEAR(limit.after(test::kModel.least, straight.arcs().front(), risk).value_or(-1.0), error, 1e-9);
+    EXPECT_FALSE((ErrorLimit{.model = test::kModel, .most = error - 1e-3}.after(test::kModel.least, straight.arcs().front(), risk)));
+  }
+  EXPECT_TRUE(predicted_errors({}, by_heading, test::kModel).empty());
 }
 
 class Limits : public testing::Test {

@@ -89,6 +89,10 @@ TEST_F(RiskSourcesFile, AreWrittenOutAsTheyWereRead) {
   const PlanQuery query = read(with_sources()).query;
   EXPECT_EQ(to_yaml(read("map: m.yaml\nalignability: a.yaml\n" + to_yaml(query)).query), to_yaml(query));
   EXPECT_EQ(to_yaml(read(kHead).query).find("sources"), std::string::npos) << "as without them";
+  const PlanQuery odd =
+      read(std::string(kHead) + "risk: {sources: {odd: {weight: 1, raster: 'a \"b\" \\ c.yaml', risky: 1, safe: 0}}}\n").query;
+  EXPECT_EQ(read("map: m.yaml\nalignability: a.yaml\n" + to_yaml(odd)).query.risk.sources.front().file->file,
+            odd.risk.sources.front().file->file);
 }
 
 TEST_F(RiskSourcesFile, AreRefusedAtTheLineAndColumnOfWhatIsWrong) {
