@@ -112,8 +112,6 @@ ALIGNABILITY_INLINE void estimate(const EightNeighbourhoods& near, float* normal
 
 using Estimate = void (*)(const EightNeighbourhoods&, float*, float*);
 
-void estimate_portably(const EightNeighbourhoods& near, float* normals, float* curvatures) { estimate(near, normals, curvatures); }
-
 #if defined(__x86_64__)
 ALIGNABILITY_AVX2 void estimate_avx2(const EightNeighbourhoods& near, float* normals, float* curvatures) {
   estimate(near, normals, curvatures);
@@ -124,10 +122,12 @@ Estimate fastest() {
 #if defined(__x86_64__)
   if (__builtin_cpu_supports("avx2") != 0) return estimate_avx2;
 #endif
-  return estimate_portably;
+  return estimate_normals_portably;
 }
 
 }  // namespace
+
+void estimate_normals_portably(const EightNeighbourhoods& near, float* normals, float* curvatures) { estimate(near, normals, curvatures); }
 
 void estimate_normals(const EightNeighbourhoods& near, float* normals, float* curvatures) {
   static const Estimate kEstimate = fastest();

@@ -18,5 +18,7 @@ struct EightNeighbourhoods {
 /// Their normals: the narrowest axes of the neighbourhoods' covariances, by Jacobi's rotations. `normals`: x, y and z, eight of each, unit,
 /// signs arbitrary. `curvatures`: λ_min over the trace, in [0,1/3]. The result does not depend on the processor.
 void estimate_normals(const EightNeighbourhoods& neighbourhoods, float* normals, float* curvatures);
+/// The same by what every processor can.
+void estimate_normals_portably(const EightNeighbourhoods& neighbourhoods, float* normals, float* curvatures);
 
 }  // namespace alignability::detail

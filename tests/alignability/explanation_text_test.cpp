@@ -122,6 +122,8 @@ TEST(ExplanationText, SaysWhenThereIsNothingToExplain) {
   EXPECT_EQ(sentence(none, {}), "Blind, alpha 0.000: nothing came back.");
   none.alignability.points = 12;
   EXPECT_EQ(sentence(none, {}), "Blind, alpha 0.000: there is no plane among the 12 points.");
+  none.alignability.dimensions = 2;
+  EXPECT_EQ(sentence(none, {}), "Blind, alpha 0.000: there is no line among the 12 points.");
 }
 
 }  // namespace

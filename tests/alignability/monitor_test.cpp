@@ -101,6 +101,19 @@ TEST(Monitor, RefusesAMarginOutOfRange) {
   EXPECT_THROW(Monitor(map_with(0.5f), wrong), std::invalid_argument);
   wrong.margin = std::numeric_limits<double>::quiet_NaN();
   EXPECT_THROW(Monitor(map_with(0.5f), wrong), std::invalid_argument);
+  wrong = options();
+  wrong.range_max = 0.0;
+  EXPECT_THROW(Monitor(map_with(0.5f), wrong), std::invalid_argument);
+}
+
+// Within 2 m of the middle of the room there are two walls and the floor, but no ends.
+TEST(Monitor, LooksNoFartherThanToldTo) {
+  MonitorOptions near = options();
+  near.range_max = 2.5;
+  const Pose2 middle{3.0, 2.0, 0.0};
+  const Scan scan = seen(room(true), middle, 1);
+  EXPECT_LT(Monitor(map_with(0.5f), near).update(scan, middle, 0.0).seen,
+            Monitor(map_with(0.5f), options()).update(scan, middle, 0.0).seen);
 }
 
 }  // namespace

@@ -166,5 +166,45 @@ TEST(NearestKernel, GivesTheSameOnEveryProcessor) {
   EXPECT_EQ(run(nearest_kernel()), portable);
 }
 
+TEST(NearestKernel, FindsTheSameChildrenOnEveryProcessor) {
+  constexpr int kChildren = 16;
+  constexpr int kNodes = 40;
+  std::mt19937_64 engine(5);
+  std::uniform_real_distribution<float> place(-10.0f, 10.0f), size(0.0f, 2.0f);
+  std::vector<float> low[3], high[3];
+  for (int axis = 0; axis < 3; ++axis) {
+    for (int child = 0; child < kChildren * kNodes; ++child) {
+      low[axis].push_back(place(engine));
+      high[axis].push_back(low[axis].back() + size(engine));
+    }
+  }
+  const RawBoxes boxes{{low[0].data(), low[1].data(), low[2].data()}, {high[0].data(), high[1].data(), high[2].data()}};
+  std::vector<std::int32_t> nodes(kNodes);
+  for (std::int32_t node = 0; node < kNodes; ++node) nodes[static_cast<std::size_t>(node)] = kNodes - 1 - node;
+  const RawBox query{{-1.0f, 0.0f, 1.0f}, {1.0f, 0.5f, 4.0f}};
+  constexpr float kRadius2 = 25.0f;
+  const auto run = [&](const NearestKernel& kernel) {
+    std::vector<std::int32_t> near(kChildren * (kNodes + 1));
+    near.resize(static_cast<std::size_t>(kernel.near_children(boxes, nodes.data(), kNodes, query, kRadius2, near.data())));
+    return near;
+  };
+  std::vector<std::int32_t> expected;
+  for (const std::int32_t node : nodes) {
+    for (int child = kChildren * node; child < kChildren * (node + 1); ++child) {
+      float distance2 = 0.0f;
+      for (int axis = 0; axis < 3; ++axis) {
+        const auto i = static_cast<std::size_t>(child);
+        const float gap = std::max({0.0f, low[axis][i] - query.high[axis], query.low[axis] - high[axis][i]});
+        distance2 += gap * gap;
+      }
+      if (distance2 <= kRadius2) expected.push_back(child);
+    }
+  }
+  EXPECT_GT(expected.size(), 20u);
+  EXPECT_LT(expected.size(), 400u);
+  EXPECT_EQ(run(portable_nearest_kernel()), expected);
+  EXPECT_EQ(run(nearest_kernel()), expected);
+}
+
 }  // namespace
 }  // namespace alignability::detail

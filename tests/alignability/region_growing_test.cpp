@@ -138,7 +138,11 @@ TEST(EstimateNormals, AgreesWithEigenOnFlatLongAndRoundNeighbourhoods) {
     for (std::size_t i = 0; i < 8; ++i) nearest[8 * i + i] = (1U << kPoints) - 1;
     std::array<float, 24> normals{};
     std::array<float, 8> curvatures{};
-    estimate_normals({coordinates.data(), centers.data(), blocks, nearest, kPoints}, normals.data(), curvatures.data());
+    const EightNeighbourhoods near{coordinates.data(), centers.data(), blocks, nearest, kPoints};
+    estimate_normals_portably(near, normals.data(), curvatures.data());
+    const auto portable = std::pair(normals, curvatures);
+    estimate_normals(near, normals.data(), curvatures.data());
+    EXPECT_EQ(std::pair(normals, curvatures), portable) << "to the bit, whatever the processor";
     for (std::size_t i = 0; i < 8; ++i) {
       const Eigen::Matrix<double, 3, kPoints> cloud = clouds[i].cast<double>();
       const Eigen::Matrix<double, 3, kPoints> centred = cloud.colwise() - cloud.rowwise().mean();
