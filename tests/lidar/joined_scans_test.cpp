@@ -59,6 +59,14 @@ TEST_F(JoinedScans, AreRefusedFarFromTheOrigin) {
   EXPECT_THAT(test::thrown_message([&] { joined(scans, {}); }), testing::HasSubstr("1.pcd: was taken 5427205 m from the origin of map"));
 }
 
+TEST_F(JoinedScans, TellHowManyAreJoined) {
+  const std::vector<PosedScan> scans{scan("1.pcd", {{1.0f, 0.0f, 0.0f}}, {0.0, 0.0, 0.0}),
+                                     scan("2.pcd", {{1.0f, 0.0f, 0.0f}}, {1.0, 0.0, 0.0})};
+  std::vector<std::size_t> done;
+  joined(scans, {.progress = [&](const Progress& progress) { done.push_back(progress.done); }});
+  EXPECT_THAT(done, testing::ElementsAre(0, 1, 2));
+}
+
 TEST_F(JoinedScans, StopWhenAsked) {
   const std::vector<PosedScan> scans{scan("1.pcd", {{1.0f, 0.0f, 0.0f}}, {0.0, 0.0, 0.0})};
   std::stop_source stop;

@@ -92,6 +92,24 @@ TEST(LidarModel, BeamsOfAFullCircleDoNotRepeatTheFirst) {
   EXPECT_TRUE(directions[12 + 6].isApprox(Eigen::Vector3f::UnitX(), 1e-6f));
 }
 
+TEST(LidarModel, OfOneRingLooksWhereMinAndMaxBothSay) {
+  std::string text = kHdl32;
+  const std::string span = "{min: -30.67, max: 10.67, count: 32}";
+  text.replace(text.find(span), span.size(), "{min: -3, max: -3, count: 1}");
+  const LidarModel model = parse_lidar_model(text, "s.yaml");
+  ASSERT_EQ(model.rings(), 1);
+  EXPECT_NEAR(model.elevations[0], -3.0 * kPi / 180.0, 1e-12);
+}
+
+TEST(LidarModel, OfSectorsSeesNoFullCircle) {
+  LidarModel model = test::small_lidar();
+  EXPECT_TRUE(model.full_circle());
+  model.sectors = {{.min = -1.0, .max = 1.0, .columns = 5}};
+  EXPECT_FALSE(model.full_circle());
+  model.sectors.push_back({.min = 2.0, .max = 3.0, .columns = 5});
+  EXPECT_FALSE(model.full_circle());
+}
+
 TEST(LidarModel, BeamsOfALimitedFieldOfViewReachBothEnds) {
   LidarModel model = test::small_lidar();
   model.elevations = {0.0};
@@ -107,6 +125,15 @@ struct Fault {
   const char* by;
   const char* message;
 };
+
+std::string list_of(std::size_t count, const std::string& item) {
+  std::string list = "[";
+  for (std::size_t i = 0; i < count; ++i) list.append(i == 0 ? "" : ", ").append(item);
+  return list + "]";
+}
+
+const std::string kThousandAndMoreAngles = list_of(1025, "0");
+const std::string kThousandAndMoreRings = list_of(1025, "[0, 0]");
 
 class MalformedSensorFile : public testing::TestWithParam<Fault> {};
 
@@ -132,6 +159,8 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"MoreThanACircle", "min: -180, max: 180", "min: -200, max: 200", "s.yaml:3:14: 'azimuth_deg' must span at most 360 degrees"},
         Fault{"OneBeamForASpan", "count: 32", "count: 1", "s.yaml:2:49: 'count' of 1 needs 'min' and 'max' to be equal"},
         Fault{"EmptyList", "{min: -30.67, max: 10.67, count: 32}", "[]", "s.yaml:2:16: 'elevation_deg' must list from 1 to 1024 angles"},
+        Fault{"TooLongList", "{min: -30.67, max: 10.67, count: 32}", kThousandAndMoreAngles.c_str(),
+              "s.yaml:2:16: 'elevation_deg' must list from 1 to 1024 angles"},
         Fault{"NotANumber", "stddev: 0.008", "stddev: .nan", "s.yaml:4:37: 'stddev' must be from 0 to 10000, not .nan"},
         Fault{"NegativeNoise", "stddev: 0.008", "stddev: -1", "s.yaml:4:37: 'stddev' must be from 0 to 10000, not -1"},
         Fault{"RangesReversed", "max: 100", "max: 0.4", "s.yaml:4:24: 'max' must be greater than 0.5 and at most 10000, not 0.4"},
@@ -162,6 +191,10 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"RingsTwice", "name: a\n", "name: a\nelevation_deg: [0]\n",
               "s.yaml:3:12: 'rings_deg' stands in place of 'elevation_deg'; give one of them"},
         Fault{"NoRings", "[[1, 0], [-1, 2]]", "[]", "s.yaml:2:12: 'rings_deg' must list from 1 to 1024 rings [elevation, azimuth offset]"},
+        Fault{"TooManyRings", "[[1, 0], [-1, 2]]", kThousandAndMoreRings.c_str(),
+              "s.yaml:2:12: 'rings_deg' must list from 1 to 1024 rings [elevation, azimuth offset]"},
+        Fault{"NoBeamsLeft", "count: 9}, {", "count: 2097152}, {",
+              "s.yaml:3:14: 'azimuth_deg' must have at most 4194304 beams, all rings together"},
         Fault{"NoPairs", "[[1, 0], [-1, 2]]", "[1, -1]", "s.yaml:2:13: 'rings_deg' must be a list of points [x, y]"},
         Fault{"AboveTheZenith", "[-1, 2]", "[-91, 2]", "s.yaml:2:12: an elevation of 'rings_deg' must be from -90 to 90, not -91"},
         Fault{"OffsetBeyondATurn", "[-1, 2]", "[-1, 400]", "s.yaml:2:26: 'rings_deg' must be from -360 to 360, not 400"},

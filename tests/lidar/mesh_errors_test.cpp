@@ -135,6 +135,8 @@ INSTANTIATE_TEST_SUITE_P(
 TEST(MeshErrors, AMissingFileOrSubmeshIsNamed) {
   const TemporaryFolder folder;
   EXPECT_EQ(fault_of([&] { read_mesh_file(folder / "missing.dae"); }), "missing.dae: no such file");
+  std::filesystem::create_directory(folder / "folder.dae");
+  EXPECT_EQ(fault_of([&] { read_mesh_file(folder / "folder.dae"); }), "folder.dae: not a regular file");
   const auto file = folder.write("a.dae", kDae);
   EXPECT_EQ(fault_of([&] { read_mesh_file(file, {.unit = {}, .up_axis = {}, .submesh = "lid"}); }), "a.dae: has no triangles named 'lid'");
 }

@@ -41,6 +41,12 @@ std::string ply_header(const std::string& format, const std::string& vertices, c
   return "ply\nformat " + format + " 1.0\ncomment made by hand\nelement vertex " + vertices + "\n" + properties + "end_header\n";
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
 constexpr const char* kFloats = "property float x\nproperty float y\nproperty float z\n";
 
 TEST(ScanFile, WhatIsWrittenReadsBackToTheBit) {
@@ -111,6 +117,24 @@ TEST(ScanFile, ReadsKittisPoints) {
   EXPECT_EQ(scan.columns, 2);
   EXPECT_EQ(scan.points[0], Eigen::Vector3f(1, -2, 3));
   EXPECT_TRUE(scan.points[1].array().isNaN().all());
+}
+
+// PCL leaves its padding out of compressed files, whose header names it all the same.
+TEST(ScanFile, ReadsCompressedPcdWithPaddingAndDoubles) {
+  const TemporaryFolder folder;
+  const std::string header =
+      "VERSION 0.7\nFIELDS x y z _\nSIZE 8 8 8 1\nTYPE F F F U\nCOUNT 1 1 1 4\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary_compressed\n";
+  const std::string packed = std::string("\x17") + bytes_of({1.5, -2.0, 3.0});
+  const Scan scan = read_scan_file(folder.write("f", header + bytes_of({25u, 24u}) + packed));
+  ASSERT_EQ(scan.points.size(), 1u);
+  EXPECT_EQ(scan.points[0], Eigen::Vector3f(1.5f, -2.0f, 3.0f));
+}
+
+TEST(ScanFile, TakesNumbersBeyondAFloatForNoReturn) {
+  const TemporaryFolder folder;
+  const Scan scan = read_scan_file(folder.write("f", pcd_header("ascii", 2) + "1e999 2 3\n+4 5 6\n"));
+  EXPECT_TRUE(scan.points[0].array().isNaN().all());
+  EXPECT_EQ(scan.points[1], Eigen::Vector3f(4.0f, 5.0f, 6.0f));
 }
 
 TEST(ScanFile, RefusesBinFilesThatHoldNoPoints) {
@@ -211,6 +235,17 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"PackedPointsBack", kPacked + bytes_of({2u, 24u}) + "\x40\x09", "f: the compressed points cannot be unpacked"},
         Malformed{"PackedEndsInARun", kPacked + bytes_of({2u, 24u}) + "\x1f\x09", "f: the compressed points cannot be unpacked"},
         Malformed{"PackedEndsInACopy", kPacked + bytes_of({1u, 24u}) + "\xe0", "f: the compressed points cannot be unpacked"},
+        Malformed{"NoFields", with(kTwoPoints, "FIELDS x y z", "FIELDS"), "f:3: 'FIELDS' must name from 1 to 1024 fields"},
+        Malformed{"TooManyFields", "VERSION 0.7\nFIELDS" + repeated(" a", 1025) + "\n", "f:2: 'FIELDS' must name from 1 to 1024 fields"},
+        Malformed{"SeveralZ", with(kTwoPoints, "COUNT 1 1 1", "COUNT 1 1 3"), "f: field 'z' must be one F of size 4 or 8"},
+        Malformed{"TooManyBytes",
+                  "VERSION 0.7\nFIELDS x y z q\nSIZE 4 4 4 8\nTYPE F F F F\nCOUNT 1 1 1 65536\nWIDTH 1\nHEIGHT 1\nPOINTS 1\nDATA binary\n",
+                  "f: a point has more than 65536 bytes"},
+        Malformed{"TwoBytesAFloat", with(kTwoPoints, "SIZE 4", "SIZE 2"), "f: field 'x' must be one F of size 4 or 8"},
+        Malformed{"PackedRunBeyondTheSize", kPacked + bytes_of({33u, 24u}) + '\x1f' + std::string(32, 'a'),
+                  "f: the compressed points cannot be unpacked"},
+        Malformed{"PackedCopyBeyondTheSize", kPacked + bytes_of({5u, 24u}) + std::string("\0a\xe0\xff\0", 5),
+                  "f: the compressed points cannot be unpacked"},
         Malformed{"PackedTooLittle", kPacked + bytes_of({2u, 24u}) + std::string("\0a", 2), "f: the compressed points cannot be unpacked"},
         Malformed{"PlyWithoutFormat", with(ply_header("ascii", "1", kFloats), "format ascii 1.0", "comment none"),
                   "f:8: the header has no 'format'"},
@@ -229,6 +264,15 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{"PlyFacesFirst", with(ply_header("ascii", "1", kFloats), "element vertex 1", "element face 1\nelement vertex 1"),
                   "f:4: 'vertex' must be the first element"},
         Malformed{"PlyPropertyFirst", "ply\nproperty float x\n", "f:2: a property before any element"},
+        Malformed{"PlyEmptyLine", ply_header("ascii", "0", "\nobj_info by hand\n" + std::string(kFloats)), "f:10: holds no points"},
+        Malformed{"PlyFormatTwice", with(ply_header("ascii", "1", kFloats), "element vertex", "format ascii 1.0\nelement vertex"),
+                  "f:4: 'format' is given twice"},
+        Malformed{"PlyVertexTwice", ply_header("ascii", "1", "property float x\nelement vertex 1\n"),
+                  "f:6: 'vertex' must be the first element, and the only one of its name"},
+        Malformed{"PlyXTwice", ply_header("ascii", "1", "property float x\nproperty float x\n"), "f:6: 'x' is given twice"},
+        Malformed{"PlyTooManyBytes", ply_header("ascii", "1", repeated("property double q\n", 8193)),
+                  "f:8197: a vertex has more than 65536 bytes"},
+        Malformed{"PlyCountWithLetters", ply_header("ascii", "1a", kFloats), "f:4: '1a' must be a whole number from 0 to 67108864"},
         Malformed{"PlyUnknownLine", ply_header("ascii", "1", "proprety float x\n"),
                   "f:5: 'proprety' is no keyword of a PLY header (did you mean 'property'?)"},
         Malformed{"PlyEndsInHeader", "ply\nformat ascii 1.0\n", "f:3: ends within the header"}),

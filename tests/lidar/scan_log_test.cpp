@@ -117,6 +117,19 @@ TEST_F(ScanLogs, PutTheLidarOnTheRobotWherePosesAreTheRobots) {
   EXPECT_TRUE(log.scans.front().T_map_lidar.translation().isApprox(Eigen::Vector3d(10.0, 20.5, 1.9), 1e-9));
 }
 
+TEST_F(ScanLogs, AreOrderedAsPeopleCountEvenWhereNamesBeginAlike) {
+  make({"a10.pcd", "a9.pcd", "a09.pcd", "a.pcd", "a9b.pcd"});
+  std::filesystem::create_directory(folder / "a1.pcd");
+  const ScanLog log =
+      read("1 0 0 0 0 0 0 1\n2 0 0 0 0 0 0 1\n3 0 0 0 0 0 0 1\n4 0 0 0 0 0 0 1\n5 0 0 0 0 0 0 1\n", {.pairing = Pairing::order});
+  EXPECT_THAT(names_of(log.scans), ElementsAre("a.pcd", "a09.pcd", "a9.pcd", "a9b.pcd", "a10.pcd")) << "a folder is no scan";
+}
+
+TEST_F(ScanLogs, NeedWholeNumbersToBePairedByNumber) {
+  make({"scan_1.5.pcd"});
+  EXPECT_THAT(refusal("6 1.5 1 0 0 0 0 0 1\n"), HasSubstr("has 1.5 in its name, where the number of a pose is a whole one"));
+}
+
 TEST_F(ScanLogs, SayWhyThereIsNoPairing) {
   EXPECT_THAT(refusal(kOneAndTwo), HasSubstr("has no scans: files that end in .pcd, .ply or .bin"));
   make({"7.pcd"});

@@ -31,6 +31,12 @@ TEST_P(MalformedSdf, IsRefusedAtItsPlace) {
   EXPECT_EQ(fault_of([&] { read_world(write(folder, "w.sdf", GetParam().sdf)); }), GetParam().message);
 }
 
+std::string repeated(const std::string& text, int times) {
+  std::string result;
+  for (int i = 0; i < times; ++i) result += text;
+  return result;
+}
+
 std::string with(std::string text, const std::string& replaced, const std::string& by) {
   return text.replace(text.find(replaced), replaced.size(), by);
 }
@@ -39,20 +45,24 @@ const std::string kGood = world("\n" + model("\n" + shape(kBox)));  // the shape
 
 std::string with_geometry(const std::string& geometry) { return with(kGood, kBox, "\n" + geometry); }
 
-INSTANTIATE_TEST_SUITE_P(Document, MalformedSdf,
-                         testing::Values(Malformed{"", "w.sdf:1:1: not valid XML: no element found"},
-                                         Malformed{"<sdf version=\"1.7\"><world", "w.sdf:1:20: not valid XML: unclosed token"},
-                                         Malformed{with(kGood, "</link>", "</lnik>"), "w.sdf:6:209: not valid XML: mismatched tag"},
-                                         Malformed{"<!-- a page -->\n<html/>", "w.sdf:2:1: expected <sdf>, not <html>"},
-                                         Malformed{"<sdf version=\"1.7\"></sdf>", "w.sdf: holds neither a world nor a model"},
-                                         Malformed{with(kGood, " version=\"1.7\"", ""), "w.sdf:2:1: <sdf> has no 'version'"},
-                                         Malformed{with(kGood, "1.7", "9.9"), "w.sdf:2:1: 'version' is '9.9'; 1.0 to 1.9 are read"},
-                                         Malformed{with(kGood, "1.7", "1.10"), "w.sdf:2:1: 'version' is '1.10'; 1.0 to 1.9 are read"},
-                                         Malformed{with(kGood, "1.7", "new"), "w.sdf:2:1: 'version' is 'new'; 1.0 to 1.9 are read"},
-                                         Malformed{with(kGood, " name=\"w\"", ""),
-                                                   "w.sdf:3: Required attribute[name] in element[world] is not specified in SDF."},
-                                         Malformed{world(model(shape(kBox)) + model(shape(kBox))),
-                                                   "w.sdf: model with name[m] already exists."}));
+INSTANTIATE_TEST_SUITE_P(
+    Document, MalformedSdf,
+    testing::Values(Malformed{"", "w.sdf:1:1: not valid XML: no element found"},
+                    Malformed{"<sdf version=\"1.7\"><world", "w.sdf:1:20: not valid XML: unclosed token"},
+                    Malformed{with(kGood, "</link>", "</lnik>"), "w.sdf:6:209: not valid XML: mismatched tag"},
+                    Malformed{"<!-- a page -->\n<html/>", "w.sdf:2:1: expected <sdf>, not <html>"},
+                    Malformed{"<sdf version=\"1.7\"></sdf>", "w.sdf: holds neither a world nor a model"},
+                    Malformed{with(kGood, " version=\"1.7\"", ""), "w.sdf:2:1: <sdf> has no 'version'"},
+                    Malformed{with(kGood, "1.7", "9.9"), "w.sdf:2:1: 'version' is '9.9'; 1.0 to 1.9 are read"},
+                    Malformed{with(kGood, "1.7", "1.10"), "w.sdf:2:1: 'version' is '1.10'; 1.0 to 1.9 are read"},
+                    Malformed{with(kGood, "1.7", "1.x"), "w.sdf:2:1: 'version' is '1.x'; 1.0 to 1.9 are read"},
+                    Malformed{with(kGood, "1.7", "1.-1"), "w.sdf:2:1: 'version' is '1.-1'; 1.0 to 1.9 are read"},
+                    Malformed{with(kGood, "1.7", "1.7.1"), "w.sdf:2:1: 'version' is '1.7.1'; 1.0 to 1.9 are read"},
+                    Malformed{"<sdf version=\"1.7\">" + repeated("<world>", 128), "w.sdf:1:909: elements are nested deeper than 128"},
+                    Malformed{with(kGood, "1.7", "new"), "w.sdf:2:1: 'version' is 'new'; 1.0 to 1.9 are read"},
+                    Malformed{with(kGood, " name=\"w\"", ""),
+                              "w.sdf:3: Required attribute[name] in element[world] is not specified in SDF."},
+                    Malformed{world(model(shape(kBox)) + model(shape(kBox))), "w.sdf: model with name[m] already exists."}));
 
 INSTANTIATE_TEST_SUITE_P(
     Pose, MalformedSdf,
@@ -101,6 +111,10 @@ INSTANTIATE_TEST_SUITE_P(
         Malformed{with_geometry("<mesh/>"), "w.sdf:7: a mesh without <uri>"},
         Malformed{with_geometry("<mesh><uri>t.obj</uri><scale>1 0 1</scale></mesh>"), "w.sdf:7: the scale of a mesh must have no zero"},
         Malformed{with_geometry("<mesh><uri>t.obj</uri><submesh><name>lid</name></submesh></mesh>"), "t.obj: has no triangles named 'lid'"},
+        Malformed{with(with_geometry("<mesh><uri>t.obj</uri></mesh>"), "<pose>0 0 0", "<pose>1e39 0 0"),
+                  "w.sdf:7: 'm::l::c' does not lie at finite coordinates"},
+        Malformed{world("<include><uri> </uri></include>"), "w.sdf:4: no model '' in any folder of models"},
+        Malformed{world("<include><uri>model://</uri></include>"), "w.sdf:4: no model 'model://' in any folder of models"},
         Malformed{with_geometry("<mesh><uri>bad.obj</uri></mesh>"), "bad.obj: cannot be read as a mesh: OBJ-file is too small."},
         Malformed{world("<include><uri>model://no_such</uri></include>"), "w.sdf:4: no model 'model://no_such' in any folder of models"},
         Malformed{world("<include><uri>https://example.org/crate</uri></include>"),

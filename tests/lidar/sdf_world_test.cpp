@@ -94,6 +94,27 @@ TEST(SdfWorld, FindsMeshesBesideItAndScalesThem) {
   EXPECT_NEAR(test::volume(read.meshes[0]), 2.0, 1e-5);
 }
 
+TEST(SdfWorld, FindsMeshesByEverySchemeOfLocalFiles) {
+  const TemporaryFolder folder;
+  const auto mesh = write(folder, "models/crate/t.obj", kTetrahedron);
+  for (const std::string& uri : {std::string("model://crate/t.obj"), std::string("package://crate/t.obj"), "file://" + mesh.string()}) {
+    const World read = read_world(write(folder, "w.sdf", world(model(shape("<mesh><uri>" + uri + "</uri></mesh>")))));
+    EXPECT_EQ(read.meshes.size(), 1u) << uri;
+  }
+}
+
+TEST(SdfWorld, PutsTheMiddleOfASubmeshAtItsOriginWhereToldTo) {
+  const TemporaryFolder folder;
+  write(folder, "t.obj", "o lid\n" + std::string(kTetrahedron));
+  const auto box = [&](const std::string& center) {
+    const std::string mesh = "<mesh><uri>t.obj</uri><submesh><name>lid</name><center>" + center + "</center></submesh></mesh>";
+    return box_of(read_world(write(folder, "w.sdf", world(model(shape(mesh))))));
+  };
+  EXPECT_LT((box("false").min() - Eigen::Vector3f(0, 0, 0)).norm(), 1e-5f);
+  EXPECT_LT(box("true").center().norm(), 1e-5f);
+  EXPECT_LT((box("true").sizes() - Eigen::Vector3f(1, 2, 3)).norm(), 1e-5f);
+}
+
 TEST(SdfWorld, IncludesModelsNestedInModels) {
   const TemporaryFolder folder;
   write(folder, "models/crate/model.sdf",
@@ -117,7 +138,7 @@ TEST(SdfWorld, LooksForModelsInGivenFoldersAndInTheEnvironment) {
   const auto file = write(folder, "w/w.world", world("<include><uri>model://crate</uri></include>"));
   EXPECT_THAT(fault_of([&] { read_world(file); }), HasSubstr("w.world:4: "));
   EXPECT_EQ(read_world(file, {.model_paths = {folder / "elsewhere"}}).meshes.size(), 1u);
-  ::setenv("GZ_SIM_RESOURCE_PATH", ("/nowhere:" + (folder / "elsewhere").string()).c_str(), 1);
+  ::setenv("GZ_SIM_RESOURCE_PATH", ("/nowhere::" + (folder / "elsewhere").string()).c_str(), 1);
   EXPECT_EQ(read_world(file).meshes.size(), 1u);
   ::unsetenv("GZ_SIM_RESOURCE_PATH");
 }
@@ -134,6 +155,9 @@ TEST(SdfWorld, NamesWhatItLeavesOut) {
   const World read = read_world(file);
   EXPECT_THAT(read.meshes, IsEmpty());
   EXPECT_THAT(read.warnings, ElementsAre(HasSubstr("w.sdf:4: 'm::l::c' is left out: geometry 'heightmap' is not supported")));
+  const std::string road = "<road name=\"r\"><width>2</width><point>0 0 0</point><point>9 0 0</point></road>";
+  EXPECT_THAT(read_world(write(folder, "w.sdf", world(model(shape(kBox)) + road))).warnings,
+              ElementsAre(HasSubstr("w.sdf:4: 'road' is left out: not supported")));
 }
 
 TEST(SdfWorld, PassesTheLibrarysWarningsOnWithoutPrintingThem) {

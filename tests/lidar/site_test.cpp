@@ -80,6 +80,9 @@ TEST(Site, OptionsOfAnotherKindOfSiteAreRefused) {
   SiteOptions thin;
   thin.discs.thinning = 0.1;
   EXPECT_EQ(fault_of([&] { read_site(sdf, thin); }), "w.sdf: is no point cloud, and --thin is for these");
+  SiteOptions level;
+  level.level = true;
+  EXPECT_EQ(fault_of([&] { read_site(sdf, level); }), "w.sdf: is no point cloud, and --level is for these");
 }
 
 TEST(Site, WhatIsNoneIsRefused) {
@@ -87,6 +90,11 @@ TEST(Site, WhatIsNoneIsRefused) {
   EXPECT_EQ(fault_of([&] { read_site(folder / "missing.pcd"); }), "missing.pcd: no such file");
   EXPECT_THAT(fault_of([&] { read_site(write(folder, "a.txt", "hello world\n")); }),
               testing::StartsWith("a.txt: is no site that is known"));
+  std::filesystem::create_directory(folder / "folder.pcd");
+  EXPECT_EQ(fault_of([&] { read_site(folder / "folder.pcd"); }), "folder.pcd: not a regular file");
+  for (const char* name : {"empty.sdf", "empty.world"}) {
+    EXPECT_EQ(fault_of([&] { read_site(write(folder, name, "")); }), std::string(name) + ":1:1: not valid XML: no element found");
+  }
   EXPECT_THAT(fault_of([&] { read_site(write(folder, "empty", "")); }), testing::StartsWith("empty: is no site that is known"));
   EXPECT_EQ(fault_of([&] { read_site(write(folder, "cut.ply", "ply\nformat ascii 1.0\n")); }), "cut.ply:3: ends within the header");
 }
