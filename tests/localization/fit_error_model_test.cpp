@@ -8,7 +8,7 @@
 namespace alignability {
 namespace {
 
-constexpr ErrorModel kTruth{.growth = 0.02, .recovery = 3.0, .least = 0.03, .alpha_poor = 0.1, .alpha_rich = 0.4, .calibration = {}};
+const ErrorModel kTruth{.growth = 0.02, .recovery = 3.0, .least = 0.03, .alpha_poor = 0.1, .alpha_rich = 0.4, .calibration = {}};
 
 // 60 × 1 m: rich, then blind, rich again, in between, rich.
 RiskField risk_along() {

@@ -54,6 +54,7 @@ TEST(Odometry, RefusesNoiseBelowZeroAndBiasesThatAreNotFinite) {
   EXPECT_THROW(Odometry({.position_noise = -0.1}, 1), std::invalid_argument);
   EXPECT_THROW(Odometry({.turning_noise = std::nan("")}, 1), std::invalid_argument);
   EXPECT_THROW(Odometry({.scale_bias = std::nan("")}, 1), std::invalid_argument);
+  EXPECT_THROW(Odometry({.heading_bias = std::nan("")}, 1), std::invalid_argument);
 }
 
 }  // namespace

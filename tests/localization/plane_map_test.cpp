@@ -107,6 +107,7 @@ TEST(PlaneMap, RefusesOptionsOutOfRange) {
   EXPECT_THROW(PlaneMap({}, {.reach = 0.1, .neighbourhood = 0.2}), std::invalid_argument);
   EXPECT_THROW(PlaneMap({}, {.min_neighbours = 3}), std::invalid_argument);
   EXPECT_THROW(PlaneMap({}, {.flatness = 1.0}), std::invalid_argument);
+  EXPECT_THROW(PlaneMap({}, {.flatness = 0.0}), std::invalid_argument);
 }
 
 }  // namespace

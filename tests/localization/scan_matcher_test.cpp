@@ -171,6 +171,8 @@ TEST(ScanMatcher, RefusesOptionsOutOfRange) {
   EXPECT_THROW(matcher({}, {.thinning = 0.0}), std::invalid_argument);
   EXPECT_THROW(matcher({}, {.deviation = 0.0}), std::invalid_argument);
   EXPECT_THROW(matcher({}, {.independent_share = 1.5}), std::invalid_argument);
+  EXPECT_THROW(matcher({}, {.independent_share = 0.0}), std::invalid_argument);
+  EXPECT_THROW(matcher({}, {.least_height = std::nan("")}), std::invalid_argument);
   EXPECT_THROW(matcher({}, {.outlier = -1.0}), std::invalid_argument);
   EXPECT_THROW(matcher({}, {.iterations = 0}), std::invalid_argument);
 }
