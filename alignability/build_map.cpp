@@ -3,7 +3,6 @@
 
 #include <tbb/enumerable_thread_specific.h>
 
-#include <algorithm>
 #include <limits>
 #include <mutex>
 #include <sstream>
@@ -16,45 +15,55 @@
 namespace alignability {
 namespace {
 
-using detail::CellEvaluator;
-using detail::CellValue;
-
-// Writes down what is done, and tells of it; one call at a time.
+// Takes in what is evaluated: into the map, the checkpoint and the progress that is told; one call at a time.
 class Ledger {
  public:
-  Ledger(const ProgressCallback& callback, Progress progress, detail::Checkpoint* checkpoint)
-      : callback_(callback), progress_(progress), checkpoint_(checkpoint) {
+  Ledger(AlignabilityMap& map, detail::Checkpoint* checkpoint, const ProgressCallback& callback)
+      : map_(map), checkpoint_(checkpoint), callback_(callback) {}
+
+  /// Takes what the checkpoint has of these cells, and returns the others.
+  std::vector<std::size_t> begin(const std::vector<std::size_t>& cells) {
+    std::vector<std::size_t> left;
+    for (const std::size_t cell : cells) {
+      if (checkpoint_ != nullptr && checkpoint_->found().contains(cell)) {
+        put(cell, checkpoint_->found().at(cell));
+      } else {
+        left.push_back(cell);
+      }
+    }
+    progress_ = {cells.size() - left.size(), cells.size()};
     report();
+    return left;
   }
 
   void enter(std::size_t cell, const CellValue& value) {
     const std::scoped_lock lock(mutex_);
     if (checkpoint_ != nullptr) checkpoint_->append(cell, value);
+    put(cell, value);
     ++progress_.done;
     report();
   }
 
  private:
+  void put(std::size_t cell, const CellValue& value) {
+    for (std::size_t layer = 0; layer < map_.layers.size(); ++layer) map_.layers[layer].values[cell] = value[layer];
+  }
   void report() const {
     if (callback_) callback_(progress_);
   }
 
+  AlignabilityMap& map_;
+  detail::Checkpoint* checkpoint_;
   const ProgressCallback& callback_;
   std::mutex mutex_;
   Progress progress_;
-  detail::Checkpoint* checkpoint_;
 };
 
-struct Job {
-  std::size_t cell;
-  FreePart free;
-};
-
-std::vector<Job> jobs_for(const OccupancyMap& occupancy, const GridGeometry& geometry, const MapOptions& options) {
-  std::vector<Job> jobs;
+// Those that are to have a value.
+std::vector<std::size_t> cells_to_evaluate(const OccupancyMap& occupancy, const GridGeometry& geometry, const MapOptions& options) {
+  std::vector<std::size_t> cells;
   const auto add = [&](Cell cell) {
-    FreePart free(occupancy, geometry, cell, options.rule);
-    if (free.is_evaluated()) jobs.push_back({geometry.index(cell), std::move(free)});
+    if (FreePart(occupancy, geometry, cell, options.rule).is_evaluated()) cells.push_back(geometry.index(cell));
   };
   if (options.cells) {
     std::vector<bool> taken(geometry.size(), false);
@@ -69,39 +78,7 @@ std::vector<Job> jobs_for(const OccupancyMap& occupancy, const GridGeometry& geo
   } else {
     for (std::size_t i = 0; i < geometry.size(); ++i) add(geometry.cell_of(i));
   }
-  return jobs;
-}
-
-std::vector<CellValue> evaluate(const std::vector<Job>& jobs, const CellEvaluator& evaluator, const MapOptions& options,
-                                detail::Checkpoint* checkpoint) {
-  std::vector<CellValue> values(jobs.size());
-  std::vector<std::size_t> left;
-  for (std::size_t i = 0; i < jobs.size(); ++i) {
-    if (checkpoint != nullptr && checkpoint->found().contains(jobs[i].cell)) {
-      values[i] = checkpoint->found().at(jobs[i].cell);
-    } else {
-      left.push_back(i);
-    }
-  }
-  Ledger ledger(options.progress, {jobs.size() - left.size(), jobs.size()}, checkpoint);
-  tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
-  in_parallel(left.size(), options.threads, [&](std::size_t k) {
-    const Job& job = jobs[left[k]];
-    values[left[k]] = evaluator(job.free, job.cell, scorers.local());
-    ledger.enter(job.cell, values[left[k]]);
-  });
-  return values;
-}
-
-std::vector<AlignabilityMap::Layer> layers_of(const GridGeometry& geometry, const std::vector<Job>& jobs,
-                                              const std::vector<CellValue>& values, const std::vector<std::string>& names) {
-  std::vector<AlignabilityMap::Layer> layers;
-  for (std::size_t layer = 0; layer < names.size(); ++layer) {
-    Grid<float> grid(geometry, std::numeric_limits<float>::quiet_NaN());
-    for (std::size_t i = 0; i < jobs.size(); ++i) grid[jobs[i].cell] = values[i][layer];
-    layers.push_back({names[layer], std::move(grid)});
-  }
-  return layers;
+  return cells;
 }
 
 std::string to_yaml(const MapOptions& options) {
@@ -136,6 +113,11 @@ GridGeometry alignability_geometry(const GridGeometry& occupancy, double resolut
       .resolution = resolution, .origin = occupancy.origin, .width = static_cast<int>(cells.x()), .height = static_cast<int>(cells.y())};
 }
 
+std::uint64_t map_fingerprint(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor, const MapOptions& options) {
+  const std::string all_options = to_yaml(options) + "resolution: " + to_text(options.resolution) + '\n';
+  return detail::fingerprint(scene, occupancy, sensor, all_options, options.seed);
+}
+
 AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                        const MapOptions& options) {
   check(occupancy, options);
@@ -144,16 +126,30 @@ AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& o
   map.seed = options.seed;
   map.options = to_yaml(options);
   map.sensor = sensor.yaml;
-  const std::vector<Job> jobs = jobs_for(occupancy, map.geometry, options);
-  const std::vector<std::string> names = detail::layer_names(options.alignability, options.headings);
+  const Grid<float> nothing(map.geometry, std::numeric_limits<float>::quiet_NaN());
+  for (const std::string& name : detail::layer_names(options.alignability, options.headings)) map.layers.push_back({name, nothing});
+  const std::vector<std::size_t> cells = cells_to_evaluate(occupancy, map.geometry, options);
+
   std::optional<detail::Checkpoint> checkpoint;
-  if (options.checkpoint) {
-    const std::string all_options = map.options + "resolution: " + to_text(options.resolution) + '\n';
-    checkpoint.emplace(*options.checkpoint, detail::fingerprint(scene, occupancy, sensor, all_options, options.seed), names.size());
-  }
-  const CellEvaluator evaluator(scene, sensor, options);
-  map.layers = layers_of(map.geometry, jobs, evaluate(jobs, evaluator, options, checkpoint ? &*checkpoint : nullptr), names);
+  if (options.checkpoint) checkpoint.emplace(*options.checkpoint, map_fingerprint(scene, occupancy, sensor, options), map.layers.size());
+  Ledger ledger(map, checkpoint ? &*checkpoint : nullptr, options.progress);
+  const std::vector<std::size_t> left = ledger.begin(cells);
+  const detail::CellEvaluator evaluator(scene, sensor, options);
+  tbb::enumerable_thread_specific<Scorer> scorers([&] { return Scorer(options.alignability); });
+  options.spread({.cells = left,
+                  .evaluate =
+                      [&](std::size_t cell) {
+                        const FreePart free(occupancy, map.geometry, map.geometry.cell_of(cell), options.rule);
+                        return evaluator(free, cell, scorers.local());
+                      },
+                  .enter = [&](std::size_t cell, const CellValue& value) { ledger.enter(cell, value); },
+                  .threads = options.threads,
+                  .stop = options.stop});
   return map;
+}
+
+void spread_over_threads(const CellWork& work) {
+  in_parallel(work.cells.size(), work.threads, [&](std::size_t i) { work.enter(work.cells[i], work.evaluate(work.cells[i])); });
 }
 
 }  // namespace alignability

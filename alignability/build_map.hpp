@@ -8,6 +8,7 @@
 
 #include "alignability/alignability.hpp"
 #include "alignability/cell_samples.hpp"
+#include "alignability/cell_work.hpp"
 #include "core/progress.hpp"
 #include "costmap/alignability_map.hpp"
 #include "lidar/scene.hpp"
@@ -30,6 +31,8 @@ struct MapOptions {
   /// had done: a build killed at any moment goes on and ends in the same bytes. The file stays; who has stored the map removes it.
   std::optional<std::filesystem::path> checkpoint = {};
   int threads = 0;  ///< 0: one a processor
+  /// Who evaluates the cells; the map is the same whoever does.
+  CellSpread spread = spread_over_threads;
   ProgressCallback progress = {};
   std::stop_token stop = {};
 };
@@ -45,6 +48,10 @@ struct MapOptions {
 /// under way.
 AlignabilityMap build_alignability_map(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor,
                                        const MapOptions& options);
+
+/// A digest of what the values of a map's cells depend on: surfaces, free space, sensor, options, seed and version; not the choice of
+/// cells, nor who evaluates them. Maps of the same fingerprint have the same values wherever both have one.
+std::uint64_t map_fingerprint(const Scene& scene, const OccupancyMap& occupancy, const SensorRig& sensor, const MapOptions& options);
 
 /// The grid of α-cells over an occupancy map: the same lower left corner, and as many cells as hold it.
 GridGeometry alignability_geometry(const GridGeometry& occupancy, double resolution);

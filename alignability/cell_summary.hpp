@@ -6,11 +6,9 @@
 #include <vector>
 
 #include "alignability/alignability.hpp"
+#include "alignability/cell_work.hpp"
 
 namespace alignability::detail {
-
-/// What a map says of a cell, layer by layer; NaN where there is nothing to say.
-using CellValue = std::vector<float>;
 
 /// The layers of a map made with such options: alpha, samples, iqr, weak_x, weak_y, weak_z, then those of the readings, then α at each of
 /// so many headings, where there is more than one.

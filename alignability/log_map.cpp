@@ -104,7 +104,7 @@ AlignabilityMap map_of(std::span<const ScoredPlace> places, const GridGeometry& 
     map.layers.push_back({name, Grid<float>(geometry, std::numeric_limits<float>::quiet_NaN())});
   }
   for (const auto& [cell, scores] : by_cell) {
-    const detail::CellValue value = detail::summary(scores, options.alignability);
+    const CellValue value = detail::summary(scores, options.alignability);
     for (std::size_t layer = 0; layer < value.size(); ++layer) map.layers[layer].values[cell] = value[layer];
   }
   return map;

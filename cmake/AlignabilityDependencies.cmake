@@ -22,7 +22,7 @@ set(alignability_lidar_beneath core)
 set(alignability_lidar_private "Boost 1.74 CONFIG" TBB "embree 3" EXPAT sdformat12 assimp nlohmann_json AlignabilityPcl)
 
 set(alignability_alignability_beneath costmap lidar)
-set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl)
+set(alignability_alignability_private "Boost 1.74 CONFIG" TBB AlignabilityPcl yaml-cpp)
 
 set(alignability_localization_beneath costmap lidar)
 set(alignability_localization_private "Boost 1.74 CONFIG" yaml-cpp)

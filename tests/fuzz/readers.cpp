@@ -6,6 +6,7 @@
 #include <array>
 #include <cstdio>
 
+#include "alignability/sites_file.hpp"
 #include "core/file.hpp"
 #include "core/input_error.hpp"
 #include "costmap/alignability_map.hpp"
@@ -75,6 +76,7 @@ constexpr std::array kReaders{
     FuzzedReader{"problem", ".yaml", [](const Path& file) { read_problem_file(file); }},
     FuzzedReader{"drive", ".yaml", [](const Path& file) { read_drive_file(file); }},
     FuzzedReader{"stations", ".yaml", [](const Path& file) { read_station_file(file); }},
+    FuzzedReader{"sites", ".yaml", [](const Path& file) { read_sites_file(file); }},
     FuzzedReader{"trajectory", ".txt", [](const Path& file) { read_trajectory(file); }},
     FuzzedReader{"carmen", ".log", [](const Path& file) { read_carmen_log(file); }},
     FuzzedReader{"geojson", ".geojson", [](const Path& file) { read_route(file, {}); }},
