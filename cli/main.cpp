@@ -1,16 +1,15 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #include <algorithm>
 #include <cctype>
-#include <exception>
-#include <iostream>
-#include <new>
+#include <stdexcept>
 #include <vector>
 
 #include "cli/command_line.hpp"
+#include "cli/failure.hpp"
+#include "cli/launcher.hpp"
 #include "cli/library_logs.hpp"
 #include "cli/report_output.hpp"
 #include "core/input_error.hpp"
-#include "core/progress.hpp"
 
 namespace {
 
@@ -64,24 +63,15 @@ std::string fault_of(const CLI::App& app, const CLI::ParseError& error, const st
 
 int report(const CLI::App& app, const CLI::ParseError& error, const std::vector<std::string>& words) {
   if (error.get_exit_code() == static_cast<int>(CLI::ExitCodes::Success)) return app.exit(error) == 0 ? kYes : kBadInput;
-  std::cerr << "alignability: " << fault_of(app, error, words) << "\nRun with --help for more information.\n";
-  return kBadInput;
+  return run_telling([&]() -> int { throw std::runtime_error(fault_of(app, error, words) + "\nRun with --help for more information."); });
 }
 
-int run(const Work& work) {
-  try {
+// Of a command that cannot be spread over processes, where several were started.
+Work for_one_process(const std::string& command, const Work& work) {
+  return [command, work] {
+    refuse_several_processes("'" + command + "'");
     return work();
-  } catch (const Interrupted&) {
-    std::cerr << "\nalignability: interrupted; no file was changed\n";
-    return kInterrupted;
-  } catch (const InputError& error) {
-    std::cerr << error.what() << '\n';
-  } catch (const std::bad_alloc&) {
-    std::cerr << "alignability: out of memory\n";
-  } catch (const std::exception& error) {
-    std::cerr << "alignability: " << error.what() << '\n';
-  }
-  return kBadInput;
+  };
 }
 
 }  // namespace
@@ -96,5 +86,6 @@ int main(int argc, char** argv) {
     return report(*app, error, words);
   }
   const LibraryLogs library_logs;
-  return run(work);
+  const std::string command = app->get_subcommands().front()->get_name();
+  return run_telling(command == "map" ? work : for_one_process(command, work));
 }

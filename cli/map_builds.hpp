@@ -12,12 +12,13 @@
 
 namespace alignability::cli {
 
-/// What `map` is asked for: a map from a scene, from a log, or of two maps in one.
+/// What `map` is asked for: a map from a scene, from a log, of two maps in one, or one of each of many sites.
 struct MapCommandOptions {
   std::filesystem::path scene;
   SiteOptions reading;
   LogOptions log;
   std::vector<std::filesystem::path> merge;  ///< none or two
+  std::filesystem::path sites;
   std::optional<std::filesystem::path> occupancy;
   std::optional<std::filesystem::path> sensor;
   MapOptions map;
@@ -30,8 +31,10 @@ struct MapCommandOptions {
   PictureKinds pictures;
 };
 
-// Each makes the map, stores it under the name of the output, tells of it, and returns the exit code.
+// Each makes the map, stores it under the name of the output, tells of it, and returns the exit code. Those that simulate scans share the
+// work with the other processes of a job.
 int map_from_scene(const MapCommandOptions& options);
+int map_from_sites(const MapCommandOptions& options);
 int map_from_log(const MapCommandOptions& options);
 int map_from_two(const MapCommandOptions& options);
 

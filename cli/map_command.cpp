@@ -5,6 +5,7 @@
 #include <string>
 
 #include "cli/command.hpp"
+#include "cli/launcher.hpp"
 #include "cli/map_builds.hpp"
 #include "cli/picture_option.hpp"
 #include "cli/scene_options.hpp"
@@ -48,6 +49,7 @@ const Names kOfScenesAlone{"--samples",    "--headings", "--floor", "--seed", "-
                            "--model-path", "--geometry", "--unit",  "--up",   "--thin",  "--level"};
 const Names kOfLogsAlone{"--trajectory", "--pair-by", "--poses-of", "--max-gap"};
 const Names kOfMerging{"--merge", "--occupancy", "--json", "--output", "--pictures"};
+const Names kOfSites{"--sites", "--threads", "--json", "--pictures"};
 
 // Refuses options that were given and mean nothing to the source.
 template <typename MeansNothing>
@@ -57,7 +59,15 @@ void refuse_beside(const CLI::App& command, const CLI::Option& source, MeansNoth
   }
 }
 
-void refuse_strangers(const CLI::App& command, const CLI::Option& scene, const CLI::Option& log, const CLI::Option& merge) {
+void require(const CLI::App& command, const std::string& source, std::initializer_list<const char*> names) {
+  for (const char* name : names) {
+    if (command.get_option(name)->count() == 0) throw CLI::RequiresError(source, name);
+  }
+}
+
+void refuse_strangers(const CLI::App& command, const CLI::Option& scene, const CLI::Option& log, const CLI::Option& merge,
+                      const CLI::Option& sites) {
+  if (sites.count() > 0) return refuse_beside(command, sites, [](const std::string& name) { return !kOfSites.contains(name); });
   if (merge.count() > 0) {
     refuse_beside(command, merge, [](const std::string& name) { return !kOfMerging.contains(name); });
   } else if (log.count() > 0) {
@@ -66,17 +76,18 @@ void refuse_strangers(const CLI::App& command, const CLI::Option& scene, const C
     if (!has_poses && command.get_option("--trajectory")->count() == 0) throw CLI::RequiresError("--log", "--trajectory");
     if (has_poses) refuse_beside(command, log, [](const std::string& name) { return kOfLogsAlone.contains(name); });
   } else {
-    if (scene.count() == 0) throw CLI::RequiredError("One of --scene, --log and --merge");
+    if (scene.count() == 0) throw CLI::RequiredError("One of --scene, --log, --merge and --sites");
     refuse_beside(command, scene, [](const std::string& name) { return kOfLogsAlone.contains(name); });
-    for (const char* name : {"--occupancy", "--sensor"}) {
-      if (command.get_option(name)->count() == 0) throw CLI::RequiresError("--scene", name);
-    }
+    require(command, "--scene", {"--occupancy", "--sensor"});
   }
+  if (command.get_option("--output")->count() == 0) throw CLI::RequiredError("--output");
 }
 
 int run(const MapCommandOptions& options) {
-  if (!options.merge.empty()) return map_from_two(options);
-  return options.scene.empty() ? map_from_log(options) : map_from_scene(options);
+  if (!options.sites.empty()) return map_from_sites(options);
+  if (!options.scene.empty()) return map_from_scene(options);
+  refuse_several_processes(options.merge.empty() ? "'map --log'" : "'map --merge'");
+  return options.merge.empty() ? map_from_log(options) : map_from_two(options);
 }
 
 }  // namespace
@@ -93,15 +104,17 @@ void add_map(CLI::App& app, Work& work) {
   const CLI::Option* merge = command->add_option("--merge", options->merge, "Or two maps, to be one: a log's values win, else the first's")
                                  ->type_name("YAML")
                                  ->expected(2);
+  const CLI::Option* sites =
+      command->add_option("--sites", options->sites, "Or a file of many sites, a map of each; takes --threads, --json and --pictures alone")
+          ->type_name("YAML");
   add_options_of_both(*command, *options);
   add_options_of_scenes(*command, *options);
   command->add_flag("--json", options->json, "Print JSON");
   command
       ->add_option("-o,--output", options->output,
                    "NAME: writes NAME.yaml, NAME.tiff and NAME.png; of a log NAME.csv too, a line a scan; of a scene NAME.part keeps what "
-                   "is done until then")
-      ->type_name("NAME")
-      ->required();
+                   "is done until then; required, but for --sites, which says itself where its maps go")
+      ->type_name("NAME");
   add_picture_option(*command, options->pictures);
   command->footer(
       "Examples:\n"
@@ -113,9 +126,11 @@ void add_map(CLI::App& app, Work& work) {
       "  alignability map --log scans --trajectory poses.txt --occupancy site.yaml -o logged\n"
       "  alignability map --log csail.log -o csail\n"
       "  alignability map --merge logged.yaml simulated.yaml --occupancy site.yaml -o merged\n"
+      "  alignability map --sites sites.yaml\n"
+      "  mpirun -n 2 alignability map --sites sites.yaml\n"
       "A change is seen as far away as the sensor sees: let the polygon reach so far around it.");
-  command->callback([options, command, scene, log, merge, &work] {
-    refuse_strangers(*command, *scene, *log, *merge);
+  command->callback([options, command, scene, log, merge, sites, &work] {
+    refuse_strangers(*command, *scene, *log, *merge, *sites);
     work = [options] { return run(*options); };
   });
 }

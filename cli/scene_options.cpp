@@ -33,6 +33,8 @@ void tell_of_leveling(const std::filesystem::path& file, const Eigen::Isometry3d
             << fixed_text(T_map_file.translation().z(), 2) << " m above the floor\n";
 }
 
+Scene scene_of(Site site) { return Scene(std::move(site.meshes), std::move(site.discs)); }
+
 }  // namespace
 
 void add_site_options(CLI::App& command, SiteOptions& options) {
@@ -67,9 +69,8 @@ Site read_site_telling(const std::filesystem::path& file, const SiteOptions& opt
   return site;
 }
 
-Scene read_scene(const std::filesystem::path& file, const SiteOptions& options) {
-  Site site = read_site_telling(file, options);
-  return Scene(std::move(site.meshes), std::move(site.discs));
-}
+Scene read_scene(const std::filesystem::path& file, const SiteOptions& options) { return scene_of(read_site_telling(file, options)); }
+
+Scene read_scene_quietly(const std::filesystem::path& file, const SiteOptions& options) { return scene_of(read_site(file, options)); }
 
 }  // namespace alignability::cli

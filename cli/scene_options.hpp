@@ -21,4 +21,7 @@ Site read_site_telling(const std::filesystem::path& file, const SiteOptions& opt
 /// Likewise, to trace rays in.
 Scene read_scene(const std::filesystem::path& file, const SiteOptions& options);
 
+/// The same without a word.
+Scene read_scene_quietly(const std::filesystem::path& file, const SiteOptions& options);
+
 }  // namespace alignability::cli
