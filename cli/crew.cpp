@@ -36,7 +36,7 @@ constexpr char kLeave = 'l';  // on to the next piece
 constexpr char kQuit = 'q';   // the exit code
 
 // Between two looks for messages: nothing beside a cell, and nearly no load.
-constexpr std::chrono::milliseconds kPause(1);
+constexpr std::chrono::milliseconds kPause(2);
 // What is done is told at least so often.
 constexpr std::chrono::milliseconds kSilence(500);
 // How long an interrupted job waits for the others before it says so.

@@ -198,6 +198,14 @@ class Cluster(SiteTest):
         again = self.run_ranks(mpirun(2, "map", "--sites", "sites.yaml", "--json"))
         self.assertEqual([site["status"] for site in json.loads(again.stdout)], ["kept", "failed", "kept"])
 
+    def test_the_slurm_script_builds_sites_under_another_launcher(self):
+        (self.folder / "sites.yaml").write_text(SITES.replace("missing.sdf", "world.sdf"))
+        environment = dict(ENVIRONMENT, LAUNCHER="mpirun --oversubscribe -n 2", ALIGNABILITY=PROGRAM)
+        script = Path(os.environ["ALIGNABILITY_SOURCE_DIR"]) / "demos/cluster.slurm"
+        outcome = subprocess.run(["bash", script, "sites.yaml"], cwd=self.folder, env=environment, capture_output=True, text=True, check=False)
+        self.expect_success(outcome)
+        self.assertIn("3 built, 0 kept, 0 failed", outcome.stdout)
+
 
 if __name__ == "__main__":
     if os.environ["ALIGNABILITY_HAS_MPI"] != "1" or shutil.which("mpirun") is None:
