@@ -2,6 +2,7 @@
 // Ranks by MPI, in the only file that includes its headers.
 #include <sched.h>
 
+#include <algorithm>
 #include <array>
 #include <boost/mpi/communicator.hpp>
 #include <boost/mpi/environment.hpp>
