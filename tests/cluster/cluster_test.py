@@ -24,7 +24,7 @@ PROGRAM = os.environ["ALIGNABILITY_PROGRAM"]
 ENVIRONMENT = dict(os.environ, OMPI_ALLOW_RUN_AS_ROOT="1", OMPI_ALLOW_RUN_AS_ROOT_CONFIRM="1", OMPI_MCA_mpi_yield_when_idle="1")
 SITE = ["--scene", "world.sdf", "--occupancy", "occupancy.yaml", "--sensor", "sensor.yaml"]
 FEW = ["map", *SITE, "--samples", "2", "--threads", "1"]
-MANY = ["map", *SITE, "--samples", "60", "--threads", "1"]
+MANY = ["map", *SITE, "--samples", "24", "--threads", "1"]
 SITES = """sensor: sensor.yaml
 occupancy: occupancy.yaml
 samples: 2
