@@ -144,7 +144,7 @@ TEST_F(LogCli, SaysWhatIsWrong) {
   write_alignability_map(aside, folder / "aside");
   folder.write("bad.txt", "100 0 0 0 0 0 0 1\n101 0 0 nan 0 0 0 1\n");
   const std::vector<std::pair<std::vector<std::string>, std::string>> table{
-      {{"map", "-o", "a"}, "alignability: One of --scene, --log and --merge is required"},
+      {{"map", "-o", "a"}, "alignability: One of --scene, --log, --merge and --sites is required"},
       {{"map", "--log", "scans", "-o", "a"}, "alignability: --log requires --trajectory"},
       {{"map", "--scene", "world.sdf", "--sensor", "sensor.yaml", "-o", "a"}, "alignability: --scene requires --occupancy"},
       {{"map", "--log", "scans", "--trajectory", "poses.txt", "--samples", "3", "-o", "a"}, "alignability: --samples excludes --log"},
