@@ -258,15 +258,15 @@ std::optional<double> floor_with_a_path(const PlanQuery& query, const PlanningFi
   return std::nullopt;
 }
 
-// Throws Interrupted where the time is over before there is a path, or one within the limits.
-void solve_in_time(PlanResult& result, const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options,
-                   const Stopwatch& watch) {
+// What `result`, of the same query, becomes. Throws Interrupted where the time is over before there is a path, or one within the limits.
+PlanResult solved_in_time(PlanResult result, const PlanQuery& query, const PlanningFields& fields, const PlanOptions& options,
+                          const Stopwatch& watch) {
   const detail::TimeLimit limit(result.query.planner, options.stop);
   const DrivableArea area(fields.clearance, fields.risk, query.robot);
   if (const auto refused = refusal(query, area, limit.search())) {
     result.status = *refused;
     if (*refused == PlanStatus::infeasible) result.greatest_min_alpha = floor_with_a_path(query, fields, options, limit.search());
-    return;
+    return result;
   }
   seed_ompl(query.planner.seed);
   const auto si = make_space_information(query, area);
@@ -281,9 +281,9 @@ void solve_in_time(PlanResult& result, const PlanQuery& query, const PlanningFie
   auto path = solve(result.query, limit, definition, watch, result);
   if (options.stop.stop_requested()) throw Interrupted();
   result.lower_bound = least.get() + least_turning(query);
-  if (!path) return;
+  if (!path) return result;
   describe(result, *path, objective, objective->steering(), area);
-  result = within_limit(std::move(result), fields.error_model, area, *objective, limit.search());
+  return within_limit(std::move(result), fields.error_model, area, *objective, limit.search());
 }
 
 }  // namespace
@@ -333,9 +333,8 @@ PlanResult plan(const PlanQuery& query, const PlanningFields& fields, const Plan
   if (const auto unfit = refusal_by_headings(result.query, *fields.risk)) throw std::invalid_argument(*unfit);
   const PlanResult nothing = result;
   try {
-    solve_in_time(result, query, fields, options, watch);
-  } catch (const Interrupted&) {
-    result = nothing;
+    result = solved_in_time(nothing, query, fields, options, watch);
+  } catch (const Interrupted&) {  // by the time, unless told to stop
   }
   if (options.stop.stop_requested()) {
     result = nothing;
